@@ -26,6 +26,9 @@ pub(crate) enum Kind {
     SpaceParticle,
 }
 
+/// A beam and the coordinates and rates of its modes.
+pub(crate) type Bent<'a> = (&'a Beam, &'a [[f64; 2]]);
+
 /// Where a body's coordinates begin.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Slot {
@@ -60,16 +63,17 @@ impl Slot {
         if self.kind == Kind::Space { 7 } else { self.width() }
     }
 
-    /// Adds a gradient, or a force and torque, to the entries of the body's velocities.
-    pub fn add(&self, frame: &Frame, beam: Option<&Beam>, pull: &Pull, entries: &mut [f64]) {
+    /// Adds a gradient, or a force and torque, to the entries of the body's velocities; of a beam with its modes.
+    pub fn add(&self, frame: &Frame, bent: Option<Bent>, pull: &Pull, entries: &mut [f64]) {
         if let Some((mode, along)) = pull.mode {
             entries[3 + mode] += along;
         }
-        if let (Some(beam), Some(x)) = (beam, pull.on_axis) {
+        if let (Some((beam, modal)), Some(x)) = (bent, pull.on_axis) {
             let along = turned_back(&frame.axes, pull.linear);
-            for mode in 0..self.modes {
-                entries[3 + mode] +=
-                    beam.value(mode, x) * along[beam.axis(mode)] + beam.slope(mode, x) * pull.section;
+            let (_, drawn) = beam.drawn_in(&beam.gammas(x), modal);
+            for (mode, drawn) in drawn.into_iter().enumerate().take(self.modes) {
+                let moved = beam.value(mode, x) * along[beam.axis(mode)] + drawn * along[0];
+                entries[3 + mode] += moved + beam.slope(mode, x) * pull.section;
             }
         }
         let [x, y, z] = pull.linear;

@@ -4,6 +4,7 @@
 //! how many coordinates it has, in `coordinates`.
 
 use crate::beam::Beam;
+use crate::coordinates::Bent;
 use crate::expression::{Expression, Scope};
 use crate::number::Taylor;
 use crate::vector::*;
@@ -116,13 +117,18 @@ impl Kinematics {
         self.beams.get(body)?.as_deref()
     }
 
+    /// A beam with its modes.
+    pub fn bent(&self, body: usize) -> Option<Bent<'_>> {
+        self.beam(body).map(|beam| (beam, self.modes(body, beam)))
+    }
+
     /// The coordinates and rates of a beam's modes.
     pub fn modes(&self, body: usize, beam: &Beam) -> &[[f64; 2]] {
         let first = self.frames[body].modes;
         &self.modal[first..first + beam.count()]
     }
 
-    /// p = r + A d(p), ṗ = ṙ + ω × A d + A ḋ, with ω × (ω × A d) + 2 ω × A ḋ.
+    /// p = r + A d(p), ṗ = ṙ + ω × A d + A ḋ, with ω × (ω × A d) + 2 ω × A ḋ, and A d̈ of what bending draws in.
     fn on_axis(&self, body: usize, beam: &Beam, x: f64) -> Point {
         let frame = &self.frames[body];
         let (mut local, mut rate) = ([x, 0.0, 0.0], ZERO);
@@ -131,6 +137,10 @@ impl Kinematics {
             local[beam.axis(mode)] += value * p;
             rate[beam.axis(mode)] += value * p_rate;
         }
+        let ([drawn, drawn_rate, faster], _) = beam.drawn_in(&beam.gammas(x), self.modes(body, beam));
+        local[0] += drawn;
+        rate[0] += drawn_rate;
+        let faster = turned(&frame.axes, [faster, 0.0, 0.0]);
         let (arm, moved) = (turned(&frame.axes, local), turned(&frame.axes, rate));
         let swept = cross(frame.spin, arm);
         Point {
@@ -138,7 +148,7 @@ impl Kinematics {
             arm,
             position: plus(frame.position, arm),
             velocity: plus(frame.velocity, plus(swept, moved)),
-            bias: plus(cross(frame.spin, swept), times(2.0, cross(frame.spin, moved))),
+            bias: plus(faster, plus(cross(frame.spin, swept), times(2.0, cross(frame.spin, moved)))),
             on_axis: Some(x),
         }
     }

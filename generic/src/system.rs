@@ -121,8 +121,8 @@ impl System {
             let course = equation.evaluate(at, &mut self.scratch, |pull| {
                 let Some(body) = pull.body else { return };
                 if let Some((_, start)) = blocks.iter().find(|(of, _)| *of == body) {
-                    let (frame, beam) = (&at.frames[body], at.beam(body));
-                    coordinates.slots[body].add(frame, beam, &pull, &mut jacobian[*start..]);
+                    let (frame, bent) = (&at.frames[body], at.bent(body));
+                    coordinates.slots[body].add(frame, bent, &pull, &mut jacobian[*start..]);
                 }
             });
             self.phi[row] = course.value;
@@ -163,7 +163,7 @@ impl System {
             load.evaluate(at, inputs, &mut self.scratch, |pull| {
                 let Some(body) = pull.body else { return };
                 let slot = &coordinates.slots[body];
-                slot.add(&at.frames[body], at.beam(body), &pull, &mut forces[slot.v..]);
+                slot.add(&at.frames[body], at.bent(body), &pull, &mut forces[slot.v..]);
             });
         }
     }

@@ -2,10 +2,12 @@
 
 A point of the axis at x (from the frame's origin) is at (x + Σ N_a p_a, Σ N_b p_b) in the frame. No integral of shapes over the
 mass is formed: energies are sums over slices, each with its position, whose rates come from automatic differentiation.
+With `stiffening` bending draws a place in by ½ Σ Γ_jk p_j p_k, Γ_jk = ∫ N_j′ N_k′ dx.
 Shapes (Blevins, Formulas for Natural Frequency and Mode Shape, tables 8-1 and 8-16) are written here so that no
 differences of large hyperbolic functions occur, each in another form than in the compiler.
 """
 
+import functools
 import math
 
 import casadi as ca
@@ -25,6 +27,11 @@ class Beam:
         self.shapes = beam["shapes"]
         self.start = -self.length / 2 if self.shapes == "free" else 0.0
         self.axial, self.bending = beam["axial"], beam["bending"]
+        self.polynomials = {}
+        if self.shapes == "static":
+            self.polynomials["bending"] = _polynomials(self.bending, 2)
+        if self.shapes == "static" or beam.get("quadratic"):
+            self.polynomials["axial"] = _polynomials(self.axial, 1)
         self.names = [f"axial[{k}]" for k in range(self.axial)] + [f"bending[{k}]" for k in range(self.bending)]
         section = beam.get("section")
         if section:
@@ -34,6 +41,11 @@ class Beam:
             self.area, second_moment = given["area"], given["second_moment"]
         self.rigidity = {"axial": given["young"] * self.area, "bending": given["young"] * second_moment}
         self.ratio = given.get("damping_ratio", ca.SX(0))
+        self.stiffening = beam.get("stiffening", False)
+        # The frame of free shapes stays in the centre of mass.
+        mean = lambda j, k: sum(share * self._integral(j, k, x) for x, share in self.slices())
+        bending = range(self.axial, len(self.names)) if self.stiffening else ()
+        self.drawn = {(j, k): mean(j, k) if self.shapes == "free" else 0.0 for j in bending for k in bending}
 
     def points(self):
         middle = self.start + self.length / 2
@@ -45,14 +57,17 @@ class Beam:
 
     def slices(self):
         """x and share of the mass of each."""
-        nodes, weights = np.polynomial.legendre.leggauss(SLICES)
+        nodes, weights = _rule(SLICES)
         return [(self.start + self.length * (1 + s) / 2, w / 2) for s, w in zip(nodes, weights)]
 
     def shape(self, mode, x, order):
         """N, N′ or N″ of a mode at x."""
         way, number = self.names[mode].rstrip("]").split("[")
         xi = (x - self.start) / self.length
-        value = SHAPES[self.shapes, way](int(number), xi, order)
+        if way in self.polynomials:
+            value = self.polynomials[way][int(number)].deriv(order)(xi) if order else self.polynomials[way][int(number)](xi)
+        else:
+            value = SHAPES[self.shapes, way](int(number), xi, order)
         # What is held does not move at all, and rounding of it is nothing to compare.
         return 0.0 if abs(value) < 1e-12 else value / self.length**order
 
@@ -60,7 +75,20 @@ class Beam:
         """Where the point of the axis at x is in the frame."""
         along = sum((self.shape(k, x, 0) * p[k] for k in range(self.axial)), ca.SX(x))
         across = sum((self.shape(k, x, 0) * p[k] for k in range(self.axial, len(self.names))), ca.SX(0))
-        return ca.vertcat(along, across)
+        return ca.vertcat(along - self._drawn_in(x, p), across)
+
+    def _drawn_in(self, x, p):
+        """By how much bending moves the point of the axis at x towards the start: half the integral of the slope's square."""
+        terms = ((self._integral(j, k, x) - mean) * p[j] * p[k] / 2 for (j, k), mean in self.drawn.items())
+        return sum(terms, ca.SX(0))
+
+    @functools.cache
+    def _integral(self, j, k, x):
+        """Of N_j′ N_k′ from the start to x."""
+        nodes, weights = _rule(2 * SLICES)
+        span = x - self.start
+        at = [self.start + span * (1 + s) / 2 for s in nodes]
+        return span / 2 * sum(w * self.shape(j, s, 1) * self.shape(k, s, 1) for s, w in zip(at, weights))
 
     def slope(self, x, p):
         """By how much the section at x is turned, to first order."""
@@ -84,6 +112,26 @@ class Beam:
         return 2 * self.ratio * ca.sqrt(self.stiffness(mode) * mass * own)
 
 
+def _polynomials(count, order):
+    """Of all polynomials ξ^order … those across to one another in ∫N² = 1 and ∫(N^(order))², the slowest first, positive at 1."""
+    if count == 0:
+        return []
+    legendre = lambda k: np.polynomial.Legendre.basis(k, domain=[0, 1])
+    factor = np.polynomial.Polynomial([0] * order + [1]).convert(kind=np.polynomial.Legendre, domain=[0, 1])
+    basis = [factor * legendre(k) for k in range(count)]
+    nodes, weights = np.polynomial.legendre.leggauss(count + order + 1)
+    at, weights = (1 + nodes) / 2, weights / 2
+    gram = lambda functions: np.array([[np.sum(weights * f(at) * g(at)) for g in functions] for f in functions])
+    stiffness, mass = gram([f.deriv(order) for f in basis]), gram(basis)
+    lower = np.linalg.inv(np.linalg.cholesky(stiffness))
+    values, vectors = np.linalg.eigh(lower @ mass @ lower.T)
+    found = []
+    for square, vector in sorted(zip(values, vectors.T), key=lambda pair: -pair[0]):
+        shape = sum(c * f for c, f in zip(lower.T @ vector, basis)) / np.sqrt(square)
+        found.append(shape if shape(1.0) > 0 else -shape)
+    return found
+
+
 SECTIONS = {
     "circle": lambda diameter: (ca.pi * diameter**2 / 4, ca.pi * diameter**4 / 64),
     "tube": lambda outer, inner: (ca.pi * (outer**2 - inner**2) / 4, ca.pi * (outer**4 - inner**4) / 64),
@@ -91,6 +139,12 @@ SECTIONS = {
 }
 
 
+@functools.cache
+def _rule(count):
+    return np.polynomial.legendre.leggauss(count)
+
+
+@functools.cache
 def _root(number, sign):
     """cos λ cosh λ = sign by bisection; the rigid motions of a free beam have no number."""
     middle = (number + (1.5 if sign > 0 else 0.5)) * math.pi

@@ -1,9 +1,10 @@
 //! Gauss–Legendre quadrature on [0, 1]; n points are exact for polynomials of degree 2n − 1 (Golub, Welsch, Math. Comp. 23, 1969).
 
 use std::f64::consts::PI;
+use std::sync::OnceLock;
 
 /// As many points as integrate the product of two shapes of the highest number to rounding.
-pub const MOST: usize = 64;
+const MOST: usize = 64;
 
 /// Points and weights.
 #[derive(Clone, Debug)]
@@ -33,6 +34,12 @@ impl Rule {
     pub fn points(&self) -> impl Iterator<Item = (f64, f64)> {
         self.points.iter().copied()
     }
+}
+
+/// With [`MOST`] points, made once.
+pub fn finest() -> &'static Rule {
+    static FINEST: OnceLock<Rule> = OnceLock::new();
+    FINEST.get_or_init(|| Rule::new(MOST))
 }
 
 /// P and P′.

@@ -2,17 +2,21 @@
 //!
 //! A point of the axis at x, from the origin of the beam's frame, is at (x + Σ N_a p_a, Σ N_b p_b), Euler and Bernoulli's beam in a
 //! floating frame of reference (Shabana, *Dynamics of Multibody Systems*, 5.2–5.5; Géradin, Rixen, *Mechanical Vibrations*, 4.2). With
-//! m the mass, all integrals of the inertia are m times a constant, because mass is spread evenly.
+//! m the mass, all integrals of the inertia are m times a constant, because mass is spread evenly. Where the axis keeps its length as it
+//! bends, places move along it too: `stiffening`.
 
 mod gauss;
+mod polynomial;
 mod roots;
 mod shape;
+mod stiffening;
 
 #[cfg(test)]
 mod tests;
 
 pub use gauss::Rule;
-pub use shape::Shape;
+pub use shape::{Shape, Wave};
+pub use stiffening::Shortening;
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -32,19 +36,31 @@ pub enum Shapes {
     Clamped,
     /// Of the beam on two hinges; the frame is at its start, with x through both ends.
     Pinned,
+    /// Polynomials for the beam that is held at its start, exact under moments and forces at its end.
+    Static,
 }
 
 impl Shapes {
     /// As written, the default first.
-    pub const ALL: [Self; 3] = [Self::Free, Self::Clamped, Self::Pinned];
+    pub const ALL: [Self; 4] = [Self::Free, Self::Clamped, Self::Pinned, Self::Static];
 
     pub fn word(self) -> &'static str {
         match self {
             Self::Free => "free",
             Self::Clamped => "clamped",
             Self::Pinned => "pinned",
+            Self::Static => "static",
         }
     }
+}
+
+/// How many modes there are of each way.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Counts {
+    pub axial: usize,
+    pub bending: usize,
+    /// Whether the axial ones are polynomials whatever the others are: with two of them the quadratic element of finite element codes.
+    pub quadratic: bool,
 }
 
 /// Along the axis or across it.
@@ -94,21 +110,22 @@ pub struct Slender {
     pub from: f64,
     /// Axial ones first.
     pub modes: Vec<Mode>,
-    /// Mean over the length of the functions x, N₁, N₂, …
+    /// How far bending draws places in, pair by pair of modes; nothing where that is left out.
+    pub shortenings: Vec<Shortening>,
+    /// Mean over the length of the functions x, N₁, N₂, …, and behind these the Γ of `shortenings`.
     pub first: Vec<f64>,
     /// Mean of their products, two by two.
     pub second: Vec<Vec<f64>>,
 }
 
 impl Slender {
-    /// With as many axial and bending modes.
-    pub fn new(shapes: Shapes, length: f64, axial: usize, bending: usize) -> Self {
+    pub fn new(shapes: Shapes, length: f64, counts: Counts) -> Self {
         let from = if shapes == Shapes::Free { -0.5 * length } else { 0.0 };
-        let axial = (0..axial).map(|number| axial_mode(shapes, length, number));
-        let modes: Vec<Mode> =
-            axial.chain((0..bending).map(|number| bending_mode(shapes, length, number))).collect();
+        let axial = if counts.quadratic { Shapes::Static } else { shapes };
+        let mut modes = axial_modes(axial, length, counts.axial);
+        modes.extend(bending_modes(shapes, length, counts.bending));
         let (first, second) = means(shapes, from, length, &modes);
-        Slender { shapes, length, from, modes, first, second }
+        Slender { shapes, length, from, modes, shortenings: Vec::new(), first, second }
     }
 
     /// Whether a place at x is on the axis.
@@ -148,36 +165,62 @@ impl Slender {
 }
 
 /// cos(kπξ), sin((2k − 1)πξ/2): Géradin, Rixen, 4.1.
-fn axial_mode(shapes: Shapes, length: f64, number: usize) -> Mode {
-    let k = number as f64 + 1.0;
-    let (lambda, shape) = match shapes {
-        Shapes::Free => (k * PI, Shape::cosine(k * PI)),
-        Shapes::Clamped | Shapes::Pinned => {
-            let lambda = (2.0 * k - 1.0) * FRAC_PI_2;
-            (lambda, Shape::sine(lambda))
-        }
+fn axial_modes(shapes: Shapes, length: f64, count: usize) -> Vec<Mode> {
+    let wave = |number: usize| {
+        let k = number as f64 + 1.0;
+        let (lambda, shape) = match shapes {
+            Shapes::Free => (k * PI, Wave::cosine(k * PI)),
+            _ => {
+                let lambda = (2.0 * k - 1.0) * FRAC_PI_2;
+                (lambda, Wave::sine(lambda))
+            }
+        };
+        // The mean of a squared sine or cosine over whole quarters is a half.
+        let stiffness = 0.5 * lambda * lambda / length;
+        Mode { way: Way::Axial, number, shape: Shape::Wave(shape), stiffness }
     };
-    // The mean of a squared sine or cosine over whole quarters is a half.
-    Mode { way: Way::Axial, number, shape, stiffness: 0.5 * lambda * lambda / length }
+    match shapes {
+        Shapes::Static => polynomial_modes(Way::Axial, count, 1, length),
+        _ => (0..count).map(wave).collect(),
+    }
 }
 
 /// Géradin, Rixen, 4.2: N⁗ = (λ/L)⁴ N, so that ∫ (N″)² = (λ/L)⁴ ∫ N².
-fn bending_mode(shapes: Shapes, length: f64, number: usize) -> Mode {
-    let (lambda, shape, square) = match shapes {
-        Shapes::Free => {
-            let lambda = roots::free_free(number);
-            (lambda, Shape::free_free(lambda), 1.0)
-        }
-        Shapes::Clamped => {
-            let lambda = roots::clamped_free(number);
-            (lambda, Shape::clamped_free(lambda), 1.0)
-        }
-        Shapes::Pinned => {
-            let lambda = (number as f64 + 1.0) * PI;
-            (lambda, Shape::sine(lambda), 0.5)
-        }
+fn bending_modes(shapes: Shapes, length: f64, count: usize) -> Vec<Mode> {
+    let wave = |number: usize| {
+        let (lambda, shape, square) = match shapes {
+            Shapes::Free => {
+                let lambda = roots::free_free(number);
+                (lambda, Wave::free_free(lambda), 1.0)
+            }
+            Shapes::Pinned => {
+                let lambda = (number as f64 + 1.0) * PI;
+                (lambda, Wave::sine(lambda), 0.5)
+            }
+            Shapes::Clamped | Shapes::Static => {
+                let lambda = roots::clamped_free(number);
+                (lambda, Wave::clamped_free(lambda), 1.0)
+            }
+        };
+        let stiffness = square * lambda.powi(4) / length.powi(3);
+        Mode { way: Way::Bending, number, shape: Shape::Wave(shape), stiffness }
     };
-    Mode { way: Way::Bending, number, shape, stiffness: square * lambda.powi(4) / length.powi(3) }
+    match shapes {
+        Shapes::Static => polynomial_modes(Way::Bending, count, 2, length),
+        _ => (0..count).map(wave).collect(),
+    }
+}
+
+fn polynomial_modes(way: Way, count: usize, order: usize, length: f64) -> Vec<Mode> {
+    let modes = polynomial::shapes(count, order).into_iter().enumerate();
+    let scale = length.powi(1 - 2 * order as i32);
+    let mode = |(number, found): (usize, polynomial::Found)| Mode {
+        way,
+        number,
+        shape: Shape::Polynomial(found.shape),
+        stiffness: scale * found.stiffness,
+    };
+    modes.map(mode).collect()
 }
 
 /// Means of x, N₁, … and of their products. That of x alone is closed; what is zero or a half by the orthogonality of modes and the
@@ -186,7 +229,7 @@ fn means(shapes: Shapes, from: f64, length: f64, modes: &[Mode]) -> (Vec<f64>, V
     let middle = from + 0.5 * length;
     let count = modes.len() + 1;
     let (mut first, mut second) = (vec![0.0; count], vec![vec![0.0; count]; count]);
-    for (share, weight) in Rule::new(gauss::MOST).points() {
+    for (share, weight) in gauss::finest().points() {
         let mut values = vec![from + length * share];
         values.extend(modes.iter().map(|mode| mode.shape.at(share, 0)));
         for i in 0..count {

@@ -1,9 +1,28 @@
 //! Shapes over the length as a sum a cos λξ + b sin λξ + c e^(−λξ) + d e^(λ(ξ − 1)) with ξ from 0 to 1: no hyperbolic functions, whose
-//! differences lose all digits for high modes.
+//! differences lose all digits for high modes. Or polynomials.
+
+use super::polynomial::Polynomial;
+
+/// A function over the length.
+#[derive(Clone, Debug)]
+pub enum Shape {
+    Wave(Wave),
+    Polynomial(Polynomial),
+}
+
+impl Shape {
+    /// The derivative of an order by ξ, of polynomials up to that of the stiffness; what is zero but for rounding, as at a clamp, is zero.
+    pub fn at(&self, share: f64, order: usize) -> f64 {
+        match self {
+            Shape::Wave(wave) => wave.at(share, order),
+            Shape::Polynomial(polynomial) => polynomial.at(share, order),
+        }
+    }
+}
 
 /// Such a sum.
 #[derive(Clone, Copy, Debug)]
-pub struct Shape {
+pub struct Wave {
     lambda: f64,
     cosine: f64,
     sine: f64,
@@ -11,15 +30,15 @@ pub struct Shape {
     growth: f64,
 }
 
-impl Shape {
+impl Wave {
     /// cos λξ.
     pub fn cosine(lambda: f64) -> Self {
-        Shape { lambda, cosine: 1.0, sine: 0.0, decay: 0.0, growth: 0.0 }
+        Wave { lambda, cosine: 1.0, sine: 0.0, decay: 0.0, growth: 0.0 }
     }
 
     /// sin λξ.
     pub fn sine(lambda: f64) -> Self {
-        Shape { lambda, cosine: 0.0, sine: 1.0, decay: 0.0, growth: 0.0 }
+        Wave { lambda, cosine: 0.0, sine: 1.0, decay: 0.0, growth: 0.0 }
     }
 
     /// cosh λξ + cos λξ − σ (sinh λξ + sin λξ), σ = (cosh λ − cos λ)/(sinh λ − sin λ). The mean of its square is 1.
@@ -29,7 +48,7 @@ impl Shape {
         let sigma = (libm::cosh(lambda) - cos) / below;
         // (1 − σ) e^λ/2.
         let growth = 0.5 * (cos - sin - small) / (below * small);
-        Shape { lambda, cosine: 1.0, sine: -sigma, decay: 0.5 * (1.0 + sigma), growth }
+        Wave { lambda, cosine: 1.0, sine: -sigma, decay: 0.5 * (1.0 + sigma), growth }
     }
 
     /// cosh λξ − cos λξ − σ (sinh λξ − sin λξ), σ = (sinh λ − sin λ)/(cosh λ + cos λ). The mean of its square is 1.
@@ -38,12 +57,11 @@ impl Shape {
         let below = libm::cosh(lambda) + cos;
         let sigma = (libm::sinh(lambda) - sin) / below;
         let growth = 0.5 * (cos + sin + small) / (below * small);
-        Shape { lambda, cosine: -1.0, sine: sigma, decay: 0.5 * (1.0 + sigma), growth }
+        Wave { lambda, cosine: -1.0, sine: sigma, decay: 0.5 * (1.0 + sigma), growth }
     }
 
-    /// The derivative of an order by ξ; what is zero but for rounding, as at a clamp, is zero.
-    pub fn at(&self, share: f64, order: usize) -> f64 {
-        let Shape { lambda, cosine, sine, decay, growth } = *self;
+    fn at(&self, share: f64, order: usize) -> f64 {
+        let Wave { lambda, cosine, sine, decay, growth } = *self;
         let (sin, cos) = (libm::sin(lambda * share), libm::cos(lambda * share));
         let (sin, cos) = match order % 4 {
             0 => (sin, cos),

@@ -1,7 +1,7 @@
 //! Texts about beams.
 
 use super::{closest, number};
-use crate::beams::Shapes;
+use crate::beams::{Counts, Shapes};
 use crate::forms::SECTIONS;
 
 /// In backticks.
@@ -28,9 +28,6 @@ fn listed(words: impl Iterator<Item = &'static str> + Clone, asked: &str) -> Str
 }
 
 pub(crate) fn unknown_shapes(asked: &str) -> String {
-    if asked == "static" {
-        return "shapes of static loads are not there yet in this version; write `clamped` with some more modes".to_string();
-    }
     format!("no shapes called \"{asked}\"; {}", listed(Shapes::ALL.into_iter().map(Shapes::word), asked))
 }
 
@@ -70,6 +67,33 @@ pub(crate) fn beam_not_yet(property: &str, asked: &str, only: &str) -> String {
     format!("`{property} = {asked}` is not there yet in this version: leave it out, which means `{only}`")
 }
 
+pub(crate) fn unknown_stiffening(asked: &str) -> String {
+    format!(
+        "stiffening is `on` or `off`, found \"{asked}\": with `on` bending draws the places of a beam in, so that a pull along it makes it \
+         stiffer and a thrust softer"
+    )
+}
+
+pub(crate) fn quadratic_and_free(beam: &str) -> String {
+    format!(
+        "quadratic axial shapes are held at the start, and the frame of the `free` shapes of the beam `{beam}` is in the middle: write \
+         `shapes = pinned;`, `clamped` or `static`, or a number of axial modes"
+    )
+}
+
+pub(crate) fn quadratic_across() -> String {
+    "quadratic shapes are there along the axis alone, where two of them make up an element: write `axial = quadratic`, or a number of bending modes \
+     and `shapes = static;`, which are polynomials"
+        .to_string()
+}
+
+pub(crate) fn nothing_to_stiffen(beam: &str) -> String {
+    format!(
+        "the beam `{beam}` has no modes in bending, which a force along it could stiffen: write `modes = (bending = 3)`, or leave \
+         `stiffening` out"
+    )
+}
+
 pub(crate) fn line_on_beam(beam: &str) -> String {
     format!(
         "a line on the beam `{beam}` would have to bend with it, and a joint along it is not there: put the line on the other body"
@@ -105,7 +129,7 @@ pub(crate) fn bushing_on_beam(place: &str) -> String {
 pub(crate) fn torque_on_beam(beam: &str) -> String {
     format!(
         "a torque on the beam `{beam}` bends it where it acts: let it act on a joint at one of its places, whose angle is that of the \
-         section, or write `shapes = clamped;`, with which the beam has the direction of its start"
+         section, or write `shapes = clamped;` or `static`, with which the beam has the direction of its start"
     )
 }
 
@@ -169,7 +193,8 @@ pub(crate) fn tube_inside_out(beam: &str, inner: f64, outer: f64) -> String {
     )
 }
 
-pub(crate) fn modes_of_beam(body: &str, asked: &str, axial: usize, bending: usize) -> String {
+pub(crate) fn modes_of_beam(body: &str, asked: &str, counts: Counts) -> String {
+    let Counts { axial, bending, .. } = counts;
     let kind = |word: &str, count: usize| match count {
         0 => None,
         1 => Some(format!("`{body}.{word}[0]`")),
@@ -182,7 +207,7 @@ pub(crate) fn modes_of_beam(body: &str, asked: &str, axial: usize, bending: usiz
 pub(crate) fn pinned_held(joint: &str, kind: &str, beam: &str) -> String {
     format!(
         "the {kind} joint `{joint}` holds the direction of the beam `{beam}`, whose `pinned` shapes carry no moment at their ends: \
-         write `shapes = clamped;` or `free`"
+         write `shapes = clamped;`, `static` or `free`"
     )
 }
 

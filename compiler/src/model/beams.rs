@@ -3,7 +3,7 @@
 use super::fold;
 use super::lower::{Lowering, Use};
 use super::{BodyId, Coordinate, Expr, Frame, Function2, Joint, Mechanism, Place, StartCondition, Vector};
-use crate::beams::{Shapes, Slender, Way};
+use crate::beams::{Counts, Shapes, Slender, Way};
 use crate::messages;
 use crate::syntax::{self, Path};
 use crate::units::Dimension;
@@ -80,9 +80,18 @@ impl<'d> Lowering<'d> {
             return None;
         }
         let Some(Expr::Number(length)) = self.shape_length(body, "length", false) else { return None };
-        let (axial, bending) = body.beam.counts();
-        let usable = length > 0.0;
-        usable.then(|| Arc::new(Slender::new(body.beam.shapes(), length, axial, bending)))
+        let counts = body.beam.counts();
+        if length <= 0.0 {
+            return None;
+        }
+        if let Some(modes) = body.beam.modes.as_ref().filter(|modes| modes.counts.quadratic)
+            && body.beam.shapes() == Shapes::Free
+        {
+            self.diagnostics.error(modes.region, messages::quadratic_and_free(&body.name.text));
+            return None;
+        }
+        let slender = Slender::new(body.beam.shapes(), length, counts);
+        Some(Arc::new(if body.beam.stiffens() { slender.stiffened() } else { slender }))
     }
 
     /// Points of a beam: its own, and what is written, which has to be on the axis.
@@ -127,6 +136,11 @@ impl<'d> Lowering<'d> {
         {
             self.diagnostics
                 .error(label.region.to(entry.value.region), messages::length_not_known(&body.name.text));
+        }
+        if let Some((label, true)) = &body.beam.stiffening
+            && body.beam.counts().bending == 0
+        {
+            self.diagnostics.error(label.region, messages::nothing_to_stiffen(&body.name.text));
         }
         let young = self.positive_of_beam(body, "young", Dimension::PRESSURE, "GPa");
         let section = self.section(body);
@@ -256,13 +270,14 @@ impl<'d> Lowering<'d> {
         if !self.definition.bodies[body.0].form.bends || !is_way {
             return None;
         }
-        let (axial, bending) = self.definition.bodies[body.0].beam.counts();
+        let counts = self.definition.bodies[body.0].beam.counts();
+        let Counts { axial, bending, .. } = counts;
         let names =
             (0..axial).map(|k| format!("axial[{k}]")).chain((0..bending).map(|k| format!("bending[{k}]")));
         let mode = names.enumerate().find(|(_, name)| name == word).map(|(mode, _)| mode);
         let rest: Vec<&str> = path.parts[2..].iter().map(|part| part.text.as_str()).collect();
         let (Some(mode), [] | ["rate"]) = (mode, rest.as_slice()) else {
-            let message = messages::modes_of_beam(&path.parts[0].text, &path.text, axial, bending);
+            let message = messages::modes_of_beam(&path.parts[0].text, &path.text, counts);
             self.diagnostics.error(path.region, message);
             return Some(Err(()));
         };
@@ -286,7 +301,7 @@ impl<'d> Lowering<'d> {
     /// Whether the direction of a body is no section's.
     pub(super) fn has_mean_direction(&self, body: BodyId) -> bool {
         let body = &self.definition.bodies[body.0];
-        body.form.bends && body.beam.shapes() != Shapes::Clamped
+        body.form.bends && !matches!(body.beam.shapes(), Shapes::Clamped | Shapes::Static)
     }
 
     /// Nothing is attached to the origin of a frame in the mean.

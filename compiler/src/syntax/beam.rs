@@ -3,7 +3,7 @@
 use super::definition::{Body, ModesTerm, SectionTerm};
 use super::parser::{Failed, Parsed, Parser};
 use super::token::Cursor;
-use crate::beams::{MOST_MODES, Shapes, Way};
+use crate::beams::{Counts, MOST_MODES, Shapes, Way};
 use crate::diagnostics::Region;
 use crate::forms::SECTIONS;
 use crate::messages;
@@ -22,6 +22,7 @@ impl Parser<'_> {
             "section" => beam.section.as_ref().map(|section| section.kind.region),
             "modes" => beam.modes.as_ref().map(|modes| modes.region),
             "shapes" => beam.shapes.as_ref().map(|(label, _)| label.region),
+            "stiffening" => beam.stiffening.as_ref().map(|(label, _)| label.region),
             _ => None,
         };
         if let Some(first) = first {
@@ -33,25 +34,34 @@ impl Parser<'_> {
             "section" => beam.section = Some(self.section(c)?),
             "modes" => beam.modes = Some(self.modes(c)?),
             "shapes" => {
-                let word = self.word(c, "`free`, `clamped` or `pinned`")?;
+                let word = self.word(c, "`free`, `clamped`, `pinned` or `static`")?;
                 match Shapes::ALL.into_iter().find(|shapes| shapes.word() == word.text) {
                     Some(shapes) => beam.shapes = Some((word, shapes)),
                     None => return self.fail(word.region, messages::unknown_shapes(&word.text)),
                 }
             }
-            _ => self.one_choice(c, &label.text)?,
+            "stiffening" => {
+                let word = self.word(c, "`on` or `off`")?;
+                let stiffens = match word.text.as_str() {
+                    "on" => true,
+                    "off" => false,
+                    _ => return self.fail(word.region, messages::unknown_stiffening(&word.text)),
+                };
+                beam.stiffening = Some((word, stiffens));
+            }
+            _ => self.theory(c)?,
         }
         self.semicolon(c)
     }
 
-    /// What has one value so far.
-    fn one_choice(&mut self, c: &mut Cursor, property: &str) -> Parsed<()> {
-        let only = if property == "theory" { "euler_bernoulli" } else { "off" };
-        let word = self.word(c, &messages::quoted_code(only))?;
-        if word.text == only {
+    /// Has one value so far.
+    fn theory(&mut self, c: &mut Cursor) -> Parsed<()> {
+        const ONLY: &str = "euler_bernoulli";
+        let word = self.word(c, &messages::quoted_code(ONLY))?;
+        if word.text == ONLY {
             return Ok(());
         }
-        self.fail(word.region, messages::beam_not_yet(property, &word.text, only))
+        self.fail(word.region, messages::beam_not_yet("theory", &word.text, ONLY))
     }
 
     fn section(&mut self, c: &mut Cursor) -> Parsed<SectionTerm> {
@@ -88,7 +98,7 @@ impl Parser<'_> {
             return self.expected(c, "`(bending = 3)`, or `(axial = 1, bending = 3)`");
         };
         let mut inside = self.group(c, Delimiter::Parenthesis)?;
-        let mut counts: [Option<usize>; 2] = [None, None];
+        let (mut counts, mut quadratic): ([Option<usize>; 2], bool) = ([None, None], false);
         while !inside.is_done() {
             let label = self.word(&mut inside, "`axial` or `bending`")?;
             let Some(which) = Way::ALL.iter().position(|way| way.word() == label.text) else {
@@ -98,9 +108,17 @@ impl Parser<'_> {
                 return self.fail(label.region, messages::property_twice(&label.text, "modes"));
             }
             self.punct(&mut inside, '=')?;
-            let term = self.expression(&mut inside)?;
-            let count = self.integer(&term)?;
-            counts[which] = Some(self.modes_of(count, &label.text, term.region)?);
+            if inside.eat_word("quadratic") {
+                if which != Way::Axial.axis() {
+                    return self.fail(label.region, messages::quadratic_across());
+                }
+                // As many functions as a polynomial of second degree has that vanishes at the start.
+                (quadratic, counts[which]) = (true, Some(2));
+            } else {
+                let term = self.expression(&mut inside)?;
+                let count = self.integer(&term)?;
+                counts[which] = Some(self.modes_of(count, &label.text, term.region)?);
+            }
             if !inside.is_done() && !inside.eat_punct(',') {
                 return self.expected(&inside, "`,` or `)`");
             }
@@ -109,7 +127,7 @@ impl Parser<'_> {
         if axial + bending == 0 {
             return self.fail(whole, messages::no_modes());
         }
-        Ok(ModesTerm { axial, bending, region: whole })
+        Ok(ModesTerm { counts: Counts { axial, bending, quadratic }, region: whole })
     }
 
     fn modes_of(&mut self, count: i64, kind: &str, region: Region) -> Parsed<usize> {

@@ -6,7 +6,7 @@ mod parts;
 mod tables;
 mod terms;
 
-use crate::beams::Shapes;
+use crate::beams::{Counts, Shapes};
 use crate::diagnostics::{Allowed, Region};
 use crate::forms::BodyForm;
 pub use crate::forms::Space;
@@ -134,16 +134,22 @@ pub struct BeamTerm {
     /// `(axial = 2, bending = 5)`; where the numbers are written.
     pub modes: Option<ModesTerm>,
     pub shapes: Option<(Label, Shapes)>,
+    /// Whether bending draws its places in.
+    pub stiffening: Option<(Label, bool)>,
 }
 
 impl BeamTerm {
-    /// Axial and bending modes; three in bending where nothing is written, because axial ones are far too fast for most integrators.
-    pub fn counts(&self) -> (usize, usize) {
-        self.modes.as_ref().map_or((0, 3), |modes| (modes.axial, modes.bending))
+    /// Three in bending where nothing is written, because axial ones are far too fast for most integrators.
+    pub fn counts(&self) -> Counts {
+        self.modes.as_ref().map_or(Counts { axial: 0, bending: 3, quadratic: false }, |modes| modes.counts)
     }
 
     pub fn shapes(&self) -> Shapes {
         self.shapes.as_ref().map_or(Shapes::Free, |(_, shapes)| *shapes)
+    }
+
+    pub fn stiffens(&self) -> bool {
+        self.stiffening.as_ref().is_some_and(|(_, stiffens)| *stiffens)
     }
 }
 
@@ -155,8 +161,7 @@ pub struct SectionTerm {
 
 #[derive(Clone, Debug)]
 pub struct ModesTerm {
-    pub axial: usize,
-    pub bending: usize,
+    pub counts: Counts,
     pub region: Region,
 }
 

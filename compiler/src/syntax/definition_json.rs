@@ -2,6 +2,7 @@
 //! exporters rebuild the mechanism from it without this compiler.
 
 use super::definition::*;
+use crate::beams::Counts;
 use crate::forms::{Argument, Interpolation, Outside, Value};
 
 /// The definition as one line of JSON.
@@ -338,10 +339,16 @@ impl Writer {
                 section.lengths.iter().for_each(|(label, entry)| w.key(&label.text).entry(entry));
             });
         });
-        let (axial, bending) = beam.counts();
+        let Counts { axial, bending, quadratic } = beam.counts();
         self.key("axial").raw(&axial.to_string());
         self.key("bending").raw(&bending.to_string());
+        if quadratic {
+            self.key("quadratic").raw("true");
+        }
         self.key("shapes").string(beam.shapes().word());
+        if beam.stiffens() {
+            self.key("stiffening").raw("true");
+        }
     }
 
     fn joint(&mut self, joint: &Joint, definition: &Definition) {

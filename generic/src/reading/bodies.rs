@@ -123,6 +123,7 @@ impl<'t> Reader<'t> {
             None => shape.scalar("density")? * area * length,
         };
         let young = shape.scalar("young")?;
+        let is = |key: &str| optional(written, key).is_some_and(|it| it.as_bool() == Some(true));
         let made = Made {
             shapes: text(written, "shapes", own)?,
             length,
@@ -130,6 +131,8 @@ impl<'t> Reader<'t> {
             bending: count("bending")?,
             mass,
             rigidity: [young * area, young * second_moment],
+            stiffens: is("stiffening"),
+            quadratic: is("quadratic"),
             damping_ratio: shape.scalars.get("damping_ratio").copied().unwrap_or(0.0),
         };
         let beam = Beam::new(&made).ok_or_else(|| DefinitionError::kind(own, made.shapes))?;

@@ -210,6 +210,7 @@ macro_rules! for_each_in_zoo {
             coned: $crate::zoo_gears::Coned,
             bent: $crate::zoo_beams::Bent,
             bent_frame: $crate::zoo_beams::Frame,
+            stiffened: $crate::zoo_beams::Stiffened,
             winch: $crate::zoo_cables::Winch,
             hoisted: $crate::zoo_cables::Hoisted,
             touching: $crate::zoo_contacts::Touching,

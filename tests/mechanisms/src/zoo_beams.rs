@@ -62,3 +62,38 @@ linkwright::mechanism! {
         output foot_force [N] = foot.reaction.x;
     }
 }
+
+linkwright::mechanism! {
+    /// Beams that stiffen: a free one on a hinge, a pinned one that it carries by a place within, a clamped one that hangs by its end, and
+    /// one that slides and does not turn.
+    pub planar Stiffened {
+        input push [N];
+        gravity [m/s^2] = (0.4, -9.81);
+        beam swing { length [m] = 1; section = circle(diameter [mm] = 8); young [GPa] = 200; density [kg/m^3] = 2700;
+                     modes = (bending = 2); stiffening = on; point third [m] = (0.1, 0); }
+        beam rod   { length [m] = 0.6; section = circle(diameter [mm] = 6); young [GPa] = 200; density [kg/m^3] = 1500;
+                     modes = (axial = quadratic, bending = 1); shapes = pinned; stiffening = on; damping_ratio = 0.05; }
+        beam arm   { length [m] = 0.7; section = tube(outer [mm] = 8, inner [mm] = 6); young [GPa] = 200; mass [kg] = 0.05;
+                     modes = (axial = 1, bending = 2); shapes = clamped; stiffening = on; }
+        beam sled  { length [m] = 0.5; section = circle(diameter [mm] = 5); young [GPa] = 200; mass [kg] = 0.1;
+                     modes = (bending = 1); shapes = static; stiffening = on; }
+        disk bob   { mass [kg] = 0.2; radius [m] = 0.05; }
+        joint pin:   revolute(swing.start, ground(0, 0) [m]);
+        joint third: revolute(swing.third, rod.start);
+        joint hand:  revolute(bob.center, rod.end);
+        joint elbow: revolute(arm.end, swing.end);
+        joint rail:  prismatic(ground(0, 0.1) [m], sled.start, axis = (1, 0.2));
+        joint tie:   distance(sled.end, bob.center, length [m] = 1.5);
+        force blow:  force(arm.start) = (push, -0.1 [N*s/m]*swing.center.velocity.y);
+        spring cord: spring(swing.center, sled.center, stiffness [N/m] = 20, length [m] = 0.5, damping [N*s/m] = 1);
+        start { pin.angle [rad] = 0.3; pin.rate [rad/s] = 1; elbow.angle [rad] = 0.5; elbow.rate [rad/s] = 0.2;
+                third.angle [rad] = 1; third.rate [rad/s] = 0; hand.angle [rad] = 0; hand.rate [rad/s] = 1; rail.travel [m] ~ -0.7;
+                swing.bending[0] [mm] = 3; swing.bending[0].rate [mm/s] = 20; rod.bending[0] [mm] = 2;
+                arm.bending[0] [mm] = 2; arm.bending[1].rate [mm/s] = 10; sled.bending[0] [mm] = 1; }
+        options { emit = (penalty, projection, null_space, tangent); }
+        output tip [m] = arm.start.x;
+        output middle [m/s] = swing.center.velocity.x;
+        output whole [J] = energy;
+        output pull [N] = tie.tension;
+    }
+}

@@ -10,9 +10,9 @@ linkwright::mechanism! {
         beam f { modes = (axial = 0, bending = 0); }
         beam g { modes = (torsion = 2); }
         beam h { modes = (bend = 2); }
-        beam i { shapes = static; }
+        beam i { shapes = ritz; }
         beam j { shapes = clampd; }
-        beam k { stiffening = on; }
+        beam k { stiffening = yes; }
         beam l { theory = timoshenko; }
         beam m { shapes = free; shapes = clamped; }
         beam o { toothing rim: external(teeth = 20, module [mm] = 2); }

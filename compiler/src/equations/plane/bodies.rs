@@ -93,7 +93,7 @@ fn given(laws: &Laws, body: usize) -> Option<Flexible> {
     let mut flexible = laws.plane().bare.bodies[body].flexible.clone()?;
     for modal in &mut flexible.modes {
         if let ModalMotion::Free(index) = modal.motion {
-            modal.motion = ModalMotion::Given(laws.symbols.v[index], laws.symbols.acceleration[index]);
+            modal.motion = ModalMotion::Given(laws.symbols.acceleration[index]);
         }
     }
     Some(flexible)

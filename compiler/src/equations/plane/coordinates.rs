@@ -148,7 +148,11 @@ fn free(laws: &Laws, body: BodyId, frame: FrameId, index: usize, flexible: Optio
 /// The modes of a beam, whose coordinates stand side by side.
 fn flexible(symbols: &Symbols, mechanism: &Mechanism, body: BodyId, first: usize) -> Option<Flexible> {
     let beam = mechanism.bodies[body.0].beam.as_ref()?;
-    let modal = |index: usize| Modal { value: symbols.q[index], motion: ModalMotion::Free(index) };
+    let modal = |index: usize| Modal {
+        value: symbols.q[index],
+        rate: symbols.v[index],
+        motion: ModalMotion::Free(index),
+    };
     let modes = (first..first + beam.slender.modes.len()).map(modal).collect();
     Some(Flexible { slender: beam.slender.clone(), modes })
 }

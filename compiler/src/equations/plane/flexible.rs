@@ -4,7 +4,11 @@
 //! A material point at x is at R + A F(x) with F = Σ_i φ_i(x) w_i in the frame's axes: φ₀ = x along e₁, and a mode's shape φ_j along e₁
 //! or e₂ times p_j. So F, its columns F_ω = e₃ × F and F_j = φ_j e, and its accelerations are fields of one kind, and every integral over
 //! the mass is one of a few constants: ∫ φ_i and ∫ φ_i φ_k (Shabana, *Dynamics of Multibody Systems*, 5.5, the inertia shape integrals).
-//! M and the inertia forces are those of any mass, M_kl = ∫ u_k·u_l, −∫ u_k·a, where R may move with anything.
+//! M and the inertia forces are those of any mass, M_kl = ∫ u_k·u_l, −∫ u_k·a, where R may move with anything. What bending draws in
+//! is in `stiffening`: fields too, whose columns move.
+
+mod means;
+mod stiffening;
 
 use super::inertia::{Factor, Massive, Sums};
 use super::kinematics::{FrameId, Kinematics, LocalVector};
@@ -14,6 +18,7 @@ use crate::equations::jet::{Jet, Moving};
 use crate::equations::laws::Laws;
 use crate::model::{Beam, BodyId, Frame, Place};
 use crate::symbolic::{Node, On, Scalar, Sheet};
+use means::Means;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -28,6 +33,7 @@ pub struct Flexible {
 #[derive(Clone, Copy, Debug)]
 pub struct Modal {
     pub value: Node,
+    pub rate: Node,
     pub motion: ModalMotion,
 }
 
@@ -35,11 +41,11 @@ pub struct Modal {
 pub enum ModalMotion {
     /// With a velocity of this index.
     Free(usize),
-    /// As given: rate and acceleration.
-    Given(Node, Node),
+    /// As given: its acceleration.
+    Given(Node),
 }
 
-/// Σ φ_i w_i in the axes of one frame.
+/// Σ φ_i w_i in the axes of one frame, by the index of φ in [`Means`].
 #[derive(Clone, Debug, Default)]
 pub struct Field {
     parts: Vec<(usize, Pair)>,
@@ -62,12 +68,13 @@ impl Flexible {
                 ModalMotion::Free(velocity) => {
                     vector.slides.insert(velocity, direction.bare);
                 }
-                ModalMotion::Given(rate, acceleration) => {
-                    add(&mut vector.drift, g.on(rate) * direction);
+                ModalMotion::Given(acceleration) => {
+                    add(&mut vector.drift, g.on(modal.rate) * direction);
                     add(&mut vector.drift_rate, g.on(acceleration) * direction);
                 }
             }
         }
+        self.shorten(g, x, &mut vector);
         vector
     }
 
@@ -79,7 +86,7 @@ impl Flexible {
             ModalMotion::Free(velocity) => {
                 jet.columns.insert(velocity, g.one().bare);
             }
-            ModalMotion::Given(rate, acceleration) => (jet.drift, jet.bias) = (rate, acceleration),
+            ModalMotion::Given(acceleration) => (jet.drift, jet.bias) = (modal.rate, acceleration),
         }
         kinematics.moving(&kinematics.bare.velocities, jet)
     }
@@ -87,27 +94,6 @@ impl Flexible {
     /// Along which of the frame's axes a mode moves.
     fn axis<'g>(&self, g: Sheet<'g>, mode: usize) -> On<'g, Pair> {
         vector::axis(g, self.slender.modes[mode].way.axis())
-    }
-
-    /// ∫ F over the mass, by the mass.
-    fn mean<'g>(&self, g: Sheet<'g>, field: &Field) -> On<'g, Pair> {
-        let terms = field.parts.iter().map(|(index, w)| g.number(self.slender.first[*index]) * g.on(*w));
-        terms.fold(vector::zero(g), |sum, term| sum + term)
-    }
-
-    /// ∫ F·G and ∫ F×G, by the mass.
-    fn products<'g>(&self, g: Sheet<'g>, one: &Field, other: &Field) -> [Scalar<'g>; 2] {
-        let mut sums = [g.zero(), g.zero()];
-        for (i, u) in &one.parts {
-            for (k, w) in &other.parts {
-                let mean = self.slender.second[*i][*k];
-                if mean != 0.0 {
-                    sums[0] += mean * g.on(*u).dot(*w);
-                    sums[1] += mean * g.on(*u).cross(*w);
-                }
-            }
-        }
-        sums
     }
 }
 
@@ -133,6 +119,7 @@ struct Spread<'b, 'g> {
     frame: FrameId,
     /// (cos, sin) of its axes within that frame.
     offset: On<'g, Pair>,
+    means: Means<'g>,
 }
 
 impl<'b, 'g> Spread<'b, 'g> {
@@ -141,7 +128,8 @@ impl<'b, 'g> Spread<'b, 'g> {
         for (body, placement) in bodies.iter().zip(&kinematics.bare.bodies) {
             if let Some(flexible) = &placement.flexible {
                 let offset = kinematics.g.on(placement.offset);
-                spread.push(Spread { body, flexible, frame: placement.frame, offset });
+                let means = Means::new(kinematics.g, flexible);
+                spread.push(Spread { body, flexible, frame: placement.frame, offset, means });
             }
         }
         spread
@@ -153,13 +141,22 @@ impl<'b, 'g> Spread<'b, 'g> {
         Field { parts: vec![(mode + 1, axis.bare)] }
     }
 
-    /// Σ φ_j e c_j.
+    /// F_j.
+    fn column(&self, mode: usize) -> Field {
+        self.shape(mode).and(self.drawn_in_by(mode))
+    }
+
+    /// Σ F_j c_j.
     fn modal(&self, coefficients: impl Fn(&Modal) -> Node) -> Field {
+        self.sum(coefficients, |mode| self.column(mode))
+    }
+
+    fn sum(&self, coefficients: impl Fn(&Modal) -> Node, of: impl Fn(usize) -> Field) -> Field {
         let g = self.offset.g;
         let modes = self.flexible.modes.iter().enumerate();
         let scaled = modes.map(|(mode, modal)| {
             let coefficient = g.on(coefficients(modal));
-            self.shape(mode).map(|w| (coefficient * g.on(w)).bare)
+            of(mode).map(|w| (coefficient * g.on(w)).bare)
         });
         scaled.fold(Field::default(), Field::and)
     }
@@ -168,15 +165,13 @@ impl<'b, 'g> Spread<'b, 'g> {
     fn position(&self) -> Field {
         let g = self.offset.g;
         let along = vector::axis(g, 0).turned(self.offset);
-        Field { parts: vec![(0, along.bare)] }.and(self.modal(|modal| modal.value))
+        let straight = Field { parts: vec![(0, along.bare)] };
+        straight.and(self.sum(|modal| modal.value, |mode| self.shape(mode))).and(self.drawn_in())
     }
 
     /// Ḟ in the frame.
-    fn rate(&self, velocities: &[Node]) -> Field {
-        self.modal(|modal| match modal.motion {
-            ModalMotion::Free(index) => velocities[index],
-            ModalMotion::Given(rate, _) => rate,
-        })
+    fn rate(&self) -> Field {
+        self.modal(|modal| modal.rate)
     }
 
     /// ω of the frame, if it turns.
@@ -201,11 +196,14 @@ pub(super) fn accumulate<'g>(
         let mut accelerations: Vec<(Factor, Field)> = Vec::new();
         for (mode, modal) in flexible.modes.iter().enumerate() {
             if let ModalMotion::Free(velocity) = modal.motion {
-                columns.push((velocity, beam.shape(mode)));
+                columns.push((velocity, beam.column(mode)));
                 if beam.omega(kinematics).is_some() {
-                    accelerations.push((Factor::Coriolis(velocity), beam.shape(mode).perpendicular(g)));
+                    accelerations.push((Factor::Coriolis(velocity), beam.column(mode).perpendicular(g)));
                 }
             }
+        }
+        if !flexible.slender.shortenings.is_empty() {
+            accelerations.push((Factor::Explicit, beam.drawn_in_faster()));
         }
         if let Some((rate, _)) = beam.omega(kinematics) {
             columns.push((rate, position.perpendicular(g)));
@@ -215,7 +213,7 @@ pub(super) fn accumulate<'g>(
         let origin: Vec<_> = beam.body.center.parts.iter().map(|(frame, it)| (*frame, it.clone())).collect();
         let rigid = super::inertia::columns(kinematics, &origin);
         let pulls = super::inertia::accelerations(kinematics, &origin, gravity);
-        let mean = |field: &Field| flexible.mean(g, field);
+        let mean = |field: &Field| beam.means.mean(field);
         for (velocity, field) in &columns {
             for other in &rigid {
                 let times = if other.velocity == *velocity { 2.0 } else { 1.0 };
@@ -235,7 +233,7 @@ pub(super) fn accumulate<'g>(
         // Among themselves.
         for (at, (velocity, field)) in columns.iter().enumerate() {
             for (other, far) in &columns[..=at] {
-                let [dot, _] = flexible.products(g, field, far);
+                let [dot, _] = beam.means.products(field, far);
                 sums.mass_of(*velocity, *other, frame, mass * dot);
             }
             for (factor, far) in &accelerations {
@@ -244,7 +242,7 @@ pub(super) fn accumulate<'g>(
                 if turns && *factor == Factor::Centripetal {
                     continue;
                 }
-                let [dot, _] = flexible.products(g, field, far);
+                let [dot, _] = beam.means.products(field, far);
                 sums.bias_of(*velocity, frame, *factor, mass * dot);
             }
         }
@@ -256,15 +254,15 @@ pub(super) fn kinetic_energy<'g>(laws: &Laws<'g>, bodies: &[Massive<'g>]) -> Sca
     let (g, kinematics) = (laws.g, laws.plane());
     let mut twice = g.zero();
     for beam in Spread::all(kinematics, bodies) {
-        let mut velocity = beam.rate(&kinematics.bare.velocities);
+        let mut velocity = beam.rate();
         if let Some((_, omega)) = beam.omega(kinematics) {
             let turning = beam.position().perpendicular(g);
             velocity = velocity.and(turning.map(|w| (omega * g.on(w)).bare));
         }
         let [x, y] = kinematics.world(&beam.body.center);
-        let mean = kinematics.to_world(beam.frame, beam.flexible.mean(g, &velocity));
+        let mean = kinematics.to_world(beam.frame, beam.means.mean(&velocity));
         let along = mean.dot([x.rate().bare, y.rate().bare]);
-        let [square, _] = beam.flexible.products(g, &velocity, &velocity);
+        let [square, _] = beam.means.products(&velocity, &velocity);
         twice += beam.body.mass * (2.0 * along + square);
     }
     0.5 * twice
@@ -280,7 +278,7 @@ pub(super) fn potential_energy<'g>(
     let mut sum = g.zero();
     for beam in Spread::all(kinematics, bodies) {
         if let Some(gravity) = gravity {
-            let mean = kinematics.to_world(beam.frame, beam.flexible.mean(g, &beam.position()));
+            let mean = kinematics.to_world(beam.frame, beam.means.mean(&beam.position()));
             sum -= beam.body.mass * gravity.dot(mean);
         }
     }
@@ -341,22 +339,23 @@ pub(super) fn inertia_beyond_origin<'g>(
     kinematics.bare.bodies[index].flexible.as_ref()?;
     let before = kinematics.bare.bodies[..index].iter().filter(|body| body.flexible.is_some()).count();
     let beam = Spread::all(kinematics, bodies).swap_remove(before);
-    let (velocities, accelerations) = (&kinematics.bare.velocities, &laws.symbols.acceleration);
+    let accelerations = &laws.symbols.acceleration;
     let position = beam.position();
     let mut local = beam.modal(|modal| match modal.motion {
         ModalMotion::Free(index) => accelerations[index],
-        ModalMotion::Given(_, acceleration) => acceleration,
+        ModalMotion::Given(acceleration) => acceleration,
     });
+    local = local.and(beam.drawn_in_faster());
     if let Some((rate, omega)) = beam.omega(kinematics) {
         let scaled = |field: Field, by: Scalar<'g>| field.map(|w| (by * g.on(w)).bare);
         local = local.and(scaled(position.perpendicular(g), g.on(accelerations[rate])));
         local = local.and(scaled(position.clone(), -omega.square()));
-        local = local.and(scaled(beam.rate(velocities).perpendicular(g), 2.0 * omega));
+        local = local.and(scaled(beam.rate().perpendicular(g), 2.0 * omega));
     }
     let mass = beam.body.mass;
-    let force = mass * kinematics.to_world(beam.frame, beam.flexible.mean(g, &local));
-    let arm = kinematics.to_world(beam.frame, beam.flexible.mean(g, &position));
-    let [_, moment] = beam.flexible.products(g, &position, &local);
+    let force = mass * kinematics.to_world(beam.frame, beam.means.mean(&local));
+    let arm = kinematics.to_world(beam.frame, beam.means.mean(&position));
+    let [_, moment] = beam.means.products(&position, &local);
     let [x, y] = force.parts();
     Some([x, y, mass * (moment + arm.cross(acceleration))])
 }
