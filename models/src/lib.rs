@@ -20,6 +20,7 @@ pub mod dump_truck_tipping;
 pub mod falling_cross;
 pub mod flexible_pendulum;
 pub mod flexible_quick_return;
+pub mod flexible_slider_crank;
 pub mod flyball_governor;
 pub mod four_bar;
 pub mod four_spherical_joints;
@@ -52,6 +53,7 @@ pub mod slider_crank;
 pub mod spatial_four_bar;
 pub mod spatial_pendulums;
 pub mod spatial_slider_crank;
+pub mod spinning_beam;
 pub mod stewart_platform;
 pub mod toothed_gears;
 pub mod tracked_vehicle;
@@ -152,6 +154,9 @@ macro_rules! for_each_model {
             hinged_bar: $crate::flexible_pendulum::HingedBar,
             hinged_bar_of_sines: $crate::flexible_pendulum::HingedBarOfSines,
             flexible_quick_return: $crate::flexible_quick_return::FlexibleQuickReturn,
+            flexible_slider_crank: $crate::flexible_slider_crank::FlexibleSliderCrank,
+            spin_up: $crate::spinning_beam::SpinUp,
+            spin_up_without_stiffening: $crate::spinning_beam::SpinUpWithoutStiffening,
             rod_on_pin: $crate::rod_on_pin::RodOnPin,
             rubbing_four_bar: $crate::rubbing_four_bar::RubbingFourBar,
             rubbing_four_bars: $crate::rubbing_four_bar::RubbingFourBars,
