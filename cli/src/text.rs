@@ -88,7 +88,8 @@ fn freedoms(text: &mut String, e: &Explanation) {
 /// The exact stiffness at tenths of a pitch; all places are in the JSON.
 fn mesh(of: &MeshOf) -> Vec<String> {
     let tenths = of.places.iter().step_by(of.places.len() / 10).map(|(exact, ..)| number(*exact));
-    let series = format!("series: mean {}, leaves out {} % rms", number(of.mean), number(100.0 * of.left_out));
+    let series =
+        format!("series: mean {}, leaves out {} % rms", number(of.mean), number(100.0 * of.left_out));
     [of.name.clone()].into_iter().chain(tenths).chain([series]).collect()
 }
 

@@ -2,11 +2,11 @@
 
 use super::Worst;
 use linkwright::{Mechanism, Simulation, Variables, retract};
+use linkwright_compiler::compile;
+use linkwright_compiler::model::gears::meshes;
 use linkwright_models::gear_pair::{
     GearPair, GearPairInputs, GearPairOscillator, GearPairOscillatorParameters,
 };
-use linkwright_compiler::compile;
-use linkwright_compiler::model::gears::meshes;
 use linkwright_models::planetary_stage::{PlanetaryStage, PlanetaryStageHeld, PlanetaryStageHeldParameters};
 use std::f64::consts::{PI, TAU};
 
@@ -53,10 +53,8 @@ fn frequency(slopes: &[Vec<f64>], near: f64) -> f64 {
 
 /// Of the stage with stiffnesses held, the natural frequencies nearest to expected ones.
 fn frequencies(inner_stiffness: f64, outer_stiffness: f64, expected: &[f64]) -> Vec<f64> {
-    let model = PlanetaryStageHeld::<f64>::prepare(PlanetaryStageHeldParameters {
-        inner_stiffness,
-        outer_stiffness,
-    });
+    let model =
+        PlanetaryStageHeld::<f64>::prepare(PlanetaryStageHeldParameters { inner_stiffness, outer_stiffness });
     let model = model.expect("positive stiffnesses");
     let start = PlanetaryStageHeld::START;
     let n = start.v.len();
@@ -70,9 +68,8 @@ fn frequencies(inner_stiffness: f64, outer_stiffness: f64, expected: &[f64]) -> 
     };
     // Without gaps all is linear, so that a step may be long enough to round little.
     let columns: Vec<_> = (0..n).map(|k| (accelerations(k, 1e-3), accelerations(k, -1e-3))).collect();
-    let slopes: Vec<Vec<f64>> = (0..n)
-        .map(|i| columns.iter().map(|(plus, minus)| (plus[i] - minus[i]) / 2e-3).collect())
-        .collect();
+    let slopes: Vec<Vec<f64>> =
+        (0..n).map(|i| columns.iter().map(|(plus, minus)| (plus[i] - minus[i]) / 2e-3).collect()).collect();
     expected.iter().map(|near| frequency(&slopes, *near)).collect()
 }
 
