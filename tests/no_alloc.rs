@@ -121,15 +121,17 @@ fn every_way_is_sound<M: Model>() {
 fn sound<M: Model, const PIVOT: u8>(model: &M, way: Of<PIVOT>, means: Means) {
     let start = model.start();
     let mut outcome = Ok(true);
+    // Rods that vibrate along their axis leave the constraints in longer steps.
+    let step = if ["FlexibleSliderCrank", "Stiffened"].contains(&model.name()) { 1e-6 } else { 1e-4 };
     let allocated = allocations(|| {
         let simulation = Simulation::new(model, start).formulation(way).input_source(Still);
-        let mut simulation = simulation.integrator(Explicit(means)).step(1e-4).step_over_breakdowns();
+        let mut simulation = simulation.integrator(Explicit(means)).step(step).step_over_breakdowns();
         outcome = (|| {
             for _ in 0..2 {
                 simulation.advance()?;
             }
             if let Some(&output) = M::Outputs::NAMES.first() {
-                simulation.run_until_event(4e-4, &[Event::of(output)], |_| ())?;
+                simulation.run_until_event(4.0 * step, &[Event::of(output)], |_| ())?;
             }
             let (a, lambda) = (simulation.acceleration()?, simulation.multipliers()?);
             let State { q, v, z, .. } = *simulation.state();

@@ -43,8 +43,16 @@ struct Alone<M: InScalars, S: LaneMethod<M, L>, L: Lanes> {
 fn as_steppers<M: InScalars, L: Lanes, S: LaneMethod<M, L>>(method: S) {
     let model = M::In::<L::Scalar>::default();
     // Steel on steel, whose vibrations are shorter than what suits the others.
-    let is_stiff =
-        ["LooseWrist", "Meshed", "PlanetaryStage", "PlanetaryStageHeld", "YawDrive"].contains(&model.name());
+    let is_stiff = [
+        "FlexibleSliderCrank",
+        "Stiffened",
+        "LooseWrist",
+        "Meshed",
+        "PlanetaryStage",
+        "PlanetaryStageHeld",
+        "YawDrive",
+    ]
+    .contains(&model.name());
     let size_of_step = if is_stiff { 1e-9 } else { 1e-4 };
     let mut random = Random::new(7);
     let mut number = |size: f64| <L::Scalar as Real>::from_f64(size * random.unit());

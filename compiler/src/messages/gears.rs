@@ -177,8 +177,10 @@ pub(crate) fn no_partners(texts: [&str; 2], words: [&str; 2], odd: Rim) -> Strin
     let rule = match odd {
         Rim::Rack => "a rack meshes with an `external` wheel",
         Rim::Bevel => "a bevel gear meshes with another",
-        Rim::Worm => "a worm meshes with an `external` wheel whose helix is its lead angle",
-        Rim::External | Rim::Internal => "wheels mesh with wheels, rings, racks and worms",
+        // Wheels and rings mesh with each other.
+        Rim::Worm | Rim::External | Rim::Internal => {
+            "a worm meshes with an `external` wheel whose helix is its lead angle"
+        }
     };
     format!(
         "`{}` is `{}` and `{}` is `{}`, and these do not mesh: {rule}",

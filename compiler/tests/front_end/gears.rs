@@ -265,11 +265,19 @@ fn bodies_beyond_their_formula() {
     let small = "external(teeth = 12, module [mm] = 1, face_width [mm] = 5)";
     let found = told(small, "profile");
     assert_eq!(found.len(), 1, "{found:?}");
-    assert!(found[0].contains("half a tooth takes 0.146 rad at its foot"), "{found:?}");
+    assert!(
+        found[0].contains("half a tooth takes 0.146 rad at its foot, and the formula was made for 0.01 to 0.12 rad and 1.4 to 7 times; ")
+            && found[0].contains("`tooth = section` leaves the body out"),
+        "{found:?}"
+    );
     assert!(told(small, "section").is_empty());
     let thin = "external(teeth = 12, module [mm] = 1, face_width [mm] = 5, bore [mm] = 9)";
+    let found = told(thin, "profile");
     assert!(
-        told(thin, "profile").iter().all(|message| message.contains("times as far out as its bore reaches"))
+        found.len() == 1
+            && found[0].contains(" times as far out as its bore reaches")
+            && found[0].contains("write its `bore`"),
+        "{found:?}"
     );
 }
 
@@ -543,7 +551,7 @@ fn mistakes_of_racks_cones_and_worms() {
         ),
         (
             worm("worm(starts = 1, module [mm] = 2)", WHEEL),
-            "`worm` needs `diameter`: write `worm(diameter [mm] = 40, …)`",
+            "`worm` needs `diameter`: write `worm(diameter [mm] = 40, …)`, as in `worm(starts = 1, module [mm] = 2, diameter [mm] = 40)`",
         ),
         (
             crossed(WORM, "0, 0, 0", WHEEL, "0, 50, 0", "(1, 0, 1)"),
