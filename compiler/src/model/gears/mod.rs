@@ -171,6 +171,9 @@ struct Wheels<'m> {
     toothings: [&'m Toothing; 2],
 }
 
+/// A sum of angles of joints, and the axis of these.
+type Axle = (Vec<(f64, Rotor)>, V3);
+
 /// What a pair couples, and where its centres are.
 struct Coupled {
     carrier: Frame,
@@ -213,7 +216,7 @@ impl Wheels<'_> {
     }
 
     /// The same where the axes are not parallel: both turn.
-    fn axles(&self, carrier: Frame) -> Result<[(Vec<(f64, Rotor)>, V3); 2], String> {
+    fn axles(&self, carrier: Frame) -> Result<[Axle; 2], String> {
         let [one, other] = self.turning(carrier)?;
         match (one.axis, other.axis) {
             (Some(a), Some(b)) => Ok([(one.terms, a), (other.terms, b)]),
