@@ -127,7 +127,7 @@ fn reduced_equations_in_single_precision<M: Model>() {
     // Where a machine starts in balance its loads are what there is.
     let mut forces = double.zero_v();
     // Surfaces that press make forces of what rounding of the position is.
-    let mut shaken = start.clone();
+    let mut shaken = start;
     shaken.q.as_mut_slice().iter_mut().for_each(|q| *q *= 1.0 + f64::from(f32::EPSILON));
     let shaken = Reduced::at(&double, 0.0, &shaken, &none).ok();
     let rounding = |k: usize| {

@@ -256,7 +256,7 @@ fn frequencies_of_a_turning_beam() {
         (5.0, 6.449_544_40, 3e-4),
     ];
     for (turned, expected, above) in published {
-        let parameters = SpinUpParameters { top: turned * unit, ..Default::default() };
+        let parameters = SpinUpParameters { top: turned * unit };
         let model = SpinUp::<f64>::prepare(parameters).expect("within its bounds");
         let state = run(&model, SpinUp::START, (0.0, 2.5e-3), 15.0, 1, |_, _| {}).expect("it holds");
         let linear = Linearisation::at(&model, 15.0, &state, &()).expect("regular");

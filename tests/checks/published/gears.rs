@@ -121,7 +121,7 @@ fn ratios_of_racks_cones_and_worms() {
     let travelled =
         model.outputs(PI, simulation.state(), &still).travel - model.outputs(0.0, &start, &still).travel;
     // At 2 rad/s a turn takes π seconds; below the axle the rack goes the way that the pinion turns.
-    ratio.see(travelled / 0.125_663_706_143_591_72, 1.0);
+    ratio.see(travelled / (0.04 * PI), 1.0);
     let model = BevelPair::<f64>::default();
     let still = BevelPairInputs { torque: 0.0, load: 0.0 };
     ratio.see(model.outputs(0.0, &BevelPair::START, &still).out_rate / 20.0, -0.5);
