@@ -137,9 +137,7 @@ const PLACES: u32 = 100;
 
 fn meshes(mechanism: &Mechanism) -> Vec<MeshOf> {
     let told = |load: &Load| {
-        let teeth = load.teeth.as_ref()?;
-        let series = teeth.series.as_ref()?;
-        let exact = gears::meshes::exact(mechanism, &mechanism.pairs[teeth.pair], teeth.material?)?;
+        let (exact, series) = gears::meshes::by_shape(mechanism, load)?;
         let place = |at: u32| {
             let phase = f64::from(at) / f64::from(PLACES);
             (exact.at(phase), series.at(phase), exact.pairs(phase))

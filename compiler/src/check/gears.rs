@@ -59,27 +59,21 @@ fn in_ring([first, second]: [&Toothing; 2]) -> [&Toothing; 2] {
 fn apart(mechanism: &Mechanism, pair: &Pair) -> Option<String> {
     let ([first, second], mesh) = mechanism.mesh_of(pair);
     let (found, names) = (pair.distance(), [first.text.as_str(), second.text.as_str()]);
-    // Of cones it has been judged where they roll.
-    let is_cones = matches!(pair.meeting, Meeting::Cones(_));
-    if !is_cones && (mesh.nominal.is_nan() || (found - mesh.nominal).abs() > DISTANCE * mesh.nominal) {
-        return Some(match pair.meeting {
-            Meeting::Rack | Meeting::Worm => {
-                let (wheel, other) = (pair.wheel, 1 - pair.wheel);
-                let toothing = [first, second][wheel];
-                let shift = toothing.shift + (found - mesh.nominal) / toothing.module;
-                let names = [names[wheel], names[other]];
-                messages::rack_wrong_distance(
-                    names,
-                    pair.meeting == Meeting::Worm,
-                    [found, mesh.nominal],
-                    shift,
-                )
-            }
-            Meeting::Cylinders | Meeting::Cones(_) => {
-                let shift = mesh.working_angle.map(|working| shifts([first, second], working));
-                messages::wrong_distance(names[0], names[1], found, mesh.nominal, shift)
-            }
-        });
+    let is_wrong = mesh.nominal.is_nan() || (found - mesh.nominal).abs() > DISTANCE * mesh.nominal;
+    match pair.meeting {
+        Meeting::Cylinders if is_wrong => {
+            let shift = mesh.working_angle.map(|working| shifts([first, second], working));
+            return Some(messages::wrong_distance(names[0], names[1], found, mesh.nominal, shift));
+        }
+        Meeting::Rack | Meeting::Worm if is_wrong => {
+            let toothing = [first, second][pair.wheel];
+            let shift = toothing.shift + (found - mesh.nominal) / toothing.module;
+            let names = [names[pair.wheel], names[1 - pair.wheel]];
+            let is_worm = pair.meeting == Meeting::Worm;
+            return Some(messages::rack_wrong_distance(names, is_worm, [found, mesh.nominal], shift));
+        }
+        // Of cones it has been judged where they roll.
+        Meeting::Cylinders | Meeting::Rack | Meeting::Worm | Meeting::Cones(_) => {}
     }
     if mesh.contact_ratio + mesh.overlap < 1.0 {
         return Some(messages::teeth_lose_contact(names[0], names[1], mesh.contact_ratio + mesh.overlap));

@@ -38,9 +38,7 @@ pub fn pictures(page: &mut String, compiled: &Compiled) {
     );
     let mut plots = String::new();
     for load in &mechanism.loads {
-        let Some(teeth) = &load.teeth else { continue };
-        let (Some(material), Some(series)) = (teeth.material, &teeth.series) else { continue };
-        let Some(exact) = meshes::exact(mechanism, &mechanism.pairs[teeth.pair], material) else { continue };
+        let Some((exact, series)) = meshes::by_shape(mechanism, load) else { continue };
         let name = &load.name.text;
         let over = |value: &dyn Fn(f64) -> f64| -> Vec<[f64; 2]> {
             // To where the next pair begins to touch.

@@ -3,6 +3,7 @@
 mod four_bars;
 mod linkages;
 mod mobility;
+mod reflected;
 mod sliders;
 
 use linkwright_compiler::check::motion::{Motion, Range};

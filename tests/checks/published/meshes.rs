@@ -78,14 +78,8 @@ fn frequencies(inner_stiffness: f64, outer_stiffness: f64, expected: &[f64]) -> 
 fn planetary_stage_by_its_teeth() {
     let compiled = compile(PlanetaryStage::SOURCE.parse().expect("tokens"), None).expect("a stage");
     let mechanism = &compiled.mechanism;
-    let exact: Vec<_> = mechanism
-        .loads
-        .iter()
-        .filter_map(|load| {
-            let teeth = load.teeth.as_ref()?;
-            meshes::exact(mechanism, &mechanism.pairs[teeth.pair], teeth.material?)
-        })
-        .collect();
+    let exact: Vec<_> =
+        mechanism.loads.iter().filter_map(|load| Some(meshes::by_shape(mechanism, load)?.0)).collect();
     let (mut stiffness, mut found) = (Worst::default(), Worst::default());
     for line in include_str!("../../data/planetary_stage_computed.csv").lines().skip(1) {
         let row: Vec<f64> = line.split(',').map(|cell| cell.parse().expect("a number")).collect();

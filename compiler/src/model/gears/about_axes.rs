@@ -3,14 +3,15 @@
 //! Bodies have no angle of their own there. A wheel turns against the carrier by a joint between both, or both turn about one axis against a
 //! third thing, by a joint each. At the angle zero the axes of both bodies coincide, so that directions may be compared.
 
-use super::super::{Axes, Expr, Frame, JointId, Mechanism, Rotor, fold};
+use super::super::{Axes, Expr, Frame, JointId, Mechanism, Rotor, Vector, fold};
 use super::holding::Orientations;
+use super::vector::{self, V3};
 
 /// A sum of angles of joints, about one axis.
 pub struct Turn {
     pub terms: Vec<(f64, Rotor)>,
     /// A unit vector, in the axes of the carrier at the angle zero; none where nothing turns.
-    pub axis: Option<[f64; 3]>,
+    pub axis: Option<V3>,
 }
 
 /// By how much a wheel turns against a carrier.
@@ -36,7 +37,7 @@ pub fn turn(
     })
 }
 
-type Sum = (Vec<(f64, Rotor)>, Option<[f64; 3]>);
+type Sum = (Vec<(f64, Rotor)>, Option<V3>);
 
 /// By one joint, or not at all.
 fn against(mechanism: &Mechanism, orientations: &Orientations, frame: Frame, other: Frame) -> Option<Sum> {
@@ -52,34 +53,29 @@ fn against(mechanism: &Mechanism, orientations: &Orientations, frame: Frame, oth
         };
         let plain = [&joint.first, &joint.second].iter().all(|place| matches!(place.axes, Axes::Parallel));
         let axis = joint.common_axis().filter(|_| plain && joint.form.angles.len() == 1)?;
-        Some((vec![(sign, Rotor::Joint(JointId(index), 0))], Some(unit(mechanism, axis)?)))
+        Some((vec![(sign, Rotor::Joint(JointId(index), 0))], Some(direction(mechanism, axis)?)))
     })
 }
 
-fn unit(mechanism: &Mechanism, axis: &[Expr; 3]) -> Option<[f64; 3]> {
+/// A direction as numbers, of length one.
+pub fn direction(mechanism: &Mechanism, axis: &Vector) -> Option<V3> {
     let value = |expr: &Expr| fold::evaluate(expr, &mechanism.defaults());
-    let [x, y, z] = [value(&axis[0])?, value(&axis[1])?, value(&axis[2])?];
-    let length = libm::sqrt(x * x + y * y + z * z);
-    (length > 0.0).then(|| [x / length, y / length, z / length])
+    let [x, y, z] = axis.each_ref().map(value);
+    let axis = [x?, y?, z?];
+    (vector::length(axis) > 0.0).then(|| vector::unit(axis))
 }
 
 /// +1 or −1 of parallel directions.
-pub fn parallel(a: [f64; 3], b: [f64; 3]) -> Option<f64> {
-    let dot: f64 = a.iter().zip(b).map(|(a, b)| a * b).sum();
-    (dot.abs() > 1.0 - 1e-9).then(|| dot.signum())
+pub fn parallel(a: V3, b: V3) -> Option<f64> {
+    let cosine = vector::dot(a, b);
+    (cosine.abs() > 1.0 - 1e-9).then(|| cosine.signum())
 }
 
 /// The components of a vector across an axis: along x and y of J(axis), by which angles about it are counted (see NOTATION.md).
-pub fn across(axis: [f64; 3], vector: [f64; 3]) -> [f64; 2] {
+pub fn across(axis: V3, of: V3) -> [f64; 2] {
     let largest = (0..3).fold(0, |best, k| if axis[k].abs() > axis[best].abs() { k } else { best });
     let mut x = [0.0; 3];
     x[(largest + 1) % 3] = 1.0;
-    let along: f64 = x.iter().zip(axis).map(|(x, z)| x * z).sum();
-    let x = [0, 1, 2].map(|k| x[k] - along * axis[k]);
-    let length = libm::sqrt(x.iter().map(|x| x * x).sum());
-    let x = x.map(|component| component / length);
-    let y =
-        [axis[1] * x[2] - axis[2] * x[1], axis[2] * x[0] - axis[0] * x[2], axis[0] * x[1] - axis[1] * x[0]];
-    let dot = |along: [f64; 3]| along.iter().zip(vector).map(|(a, b)| a * b).sum();
-    [dot(x), dot(y)]
+    let x = vector::unit(vector::across(x, axis));
+    [x, vector::cross(axis, x)].map(|along| vector::dot(along, of))
 }

@@ -1,7 +1,7 @@
 //! What holds the axles of two wheels: a body, or the ground, to which the centres of both are pinned; and which orientations do
 //! not change against each other.
 
-use super::super::{BodyId, Expr, Frame, Mechanism, Place, fold};
+use super::super::{BodyId, Expr, Frame, Joint, Mechanism, Place, fold};
 
 /// A place of something, its coordinates numbers.
 type Known = (Frame, [f64; 3]);
@@ -47,8 +47,17 @@ fn same(a: Known, b: Known) -> bool {
     a.0 == b.0 && a.1.iter().zip(b.1).all(|(a, b)| (a - b).abs() <= 1e-9 * size.max(1e-12))
 }
 
+/// By how much the second body of a joint that keeps orientation is turned, in the plane.
+pub fn turned(mechanism: &Mechanism, joint: &Joint) -> Option<f64> {
+    let scalars = joint.form.call.named.iter().filter(|argument| !argument.is_direction());
+    match scalars.zip(&joint.scalars).find(|(argument, _)| argument.name == "angle") {
+        Some((_, angle)) => fold::evaluate(angle, &mechanism.defaults()),
+        None => Some(0.0),
+    }
+}
+
 /// At the defaults of parameters; none where it moves with time.
-fn known(mechanism: &Mechanism, place: &Place) -> Option<Known> {
+pub fn known(mechanism: &Mechanism, place: &Place) -> Option<Known> {
     let value = |expr: &Expr| fold::evaluate(expr, &mechanism.defaults());
     let at: Option<Vec<f64>> = place.at.iter().map(value).collect();
     Some((place.frame, at?.try_into().ok()?))
@@ -65,10 +74,7 @@ impl Orientations {
     pub fn of(mechanism: &Mechanism) -> Self {
         let mut of: Vec<(usize, f64)> = (0..=mechanism.bodies.len()).map(|index| (index, 0.0)).collect();
         for joint in mechanism.joints.iter().filter(|joint| joint.form.keeps_orientation) {
-            let angle = joint.form.call.named.iter().filter(|argument| !argument.is_direction());
-            let angle = angle.zip(&joint.scalars).find(|(argument, _)| argument.name == "angle");
-            let angle = angle.map_or(Some(0.0), |(_, value)| fold::evaluate(value, &mechanism.defaults()));
-            let Some(angle) = angle else { continue };
+            let Some(angle) = turned(mechanism, joint) else { continue };
             let [(a, of_a), (b, of_b)] =
                 [joint.first.frame, joint.second.frame].map(|frame| of[index(frame)]);
             // θ₂ = θ₁ + angle; the ground, which comes first, keeps its number.

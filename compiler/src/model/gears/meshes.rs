@@ -73,8 +73,15 @@ pub fn settle(mechanism: &mut Mechanism, diagnostics: &mut Diagnostics) {
     }
 }
 
+/// Of a load between teeth whose stiffness follows from their shape: that stiffness, and the series that the equations have.
+pub fn by_shape<'m>(mechanism: &'m Mechanism, load: &'m Load) -> Option<(Stiffness<'m>, &'m Series)> {
+    let teeth = load.teeth.as_ref()?;
+    let exact = exact(mechanism, &mechanism.pairs[teeth.pair], teeth.material?)?;
+    Some((exact, teeth.series.as_ref()?))
+}
+
 /// The stiffness of a pair by the shape of its teeth, if their width is known.
-pub fn exact<'m>(mechanism: &'m Mechanism, pair: &Pair, material: Material) -> Option<Stiffness<'m>> {
+fn exact<'m>(mechanism: &'m Mechanism, pair: &Pair, material: Material) -> Option<Stiffness<'m>> {
     let ([first, second], mesh) = mechanism.mesh_of(pair);
     let wheels = if pair.wheel == 0 { [first, second] } else { [second, first] };
     Some(Stiffness::new(wheels, mesh, pair.distance(), width([first, second])?, material))

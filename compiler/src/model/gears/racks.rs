@@ -3,10 +3,9 @@
 //! t is the direction of the rack's line and d that from the pinion's centre to it, x the way along t from the middle of a tooth to the centre, s = (a × d)·t with the axis a of
 //! the pinion. A tooth of the pinion faces a space where z (θ − ψ) + 2 s x/m = π + 2πk, ψ the direction d; x falls or grows by the travel of the rail.
 
-use super::super::{Axes, Expr, Frame, JointId, Mechanism, Place, Space, Vector, fold};
+use super::super::{Axes, Frame, Joint, JointId, Mechanism, Place, Space};
 use super::vector::{V3, across, along, cross, difference, dot, length, scaled, unit};
 use super::{Coupled, Wheels, about_axes, collected, cylinders, holding, times};
-use crate::forms::JointAxes;
 use crate::messages;
 use std::f64::consts::PI;
 
@@ -86,16 +85,13 @@ struct Ray {
 fn rail(wheels: &Wheels, pinion: usize) -> Option<Stand> {
     let mechanism = wheels.mechanism;
     let (wheel, rack) = (wheels.toothings[pinion], wheels.toothings[1 - pinion]);
-    let own =
-        Ray { frame: wheels.own[1 - pinion], at: numbers(mechanism, &rack.center.at)?, along: rack.along };
+    let (frame, at) = holding::known(mechanism, &rack.center)?;
+    let own = Ray { frame, at, along: rack.along };
     let rays = carried(mechanism, own);
     let pinned = holding::pinned(mechanism, &wheel.center);
     pinned.into_iter().filter(|(frame, _)| *frame != wheels.own[pinion]).find_map(|(carrier, center)| {
         mechanism.joints.iter().enumerate().find_map(|(index, joint)| {
-            if !joint.form.keeps_orientation
-                || joint.form.travels.len() != 1
-                || joint.form.axes != JointAxes::OfFirst && joint.form.axes != JointAxes::Common
-            {
+            if !joint.form.keeps_orientation || joint.form.travels.len() != 1 {
                 return None;
             }
             let ray = rays.iter().find(|ray| {
@@ -103,8 +99,8 @@ fn rail(wheels: &Wheels, pinion: usize) -> Option<Stand> {
                 ends == [carrier, ray.frame] || ends == [ray.frame, carrier]
             })?;
             let [first, second] = [plain(mechanism, &joint.first)?, plain(mechanism, &joint.second)?];
-            let axis = unit(numbers(mechanism, joint.directions.first()?)?);
-            let angle = turned(mechanism, joint)?;
+            let axis = about_axes::direction(mechanism, joint.directions.first()?)?;
+            let angle = holding::turned(mechanism, joint)?;
             let (start, line, moves) = if joint.first.frame == carrier {
                 let at = difference(ray.at, second);
                 (along(first, 1.0, rotated(angle, at)), rotated(angle, ray.along), axis)
@@ -129,10 +125,10 @@ fn carried(mechanism: &Mechanism, own: Ray) -> Vec<Ray> {
     while next < found.len() {
         let here = found[next];
         next += 1;
-        let fixed = |joint: &&super::super::Joint| joint.form.keeps_place && joint.form.keeps_orientation;
+        let fixed = |joint: &&Joint| joint.form.keeps_place && joint.form.keeps_orientation;
         for joint in mechanism.joints.iter().filter(fixed) {
             let ends = [plain(mechanism, &joint.first), plain(mechanism, &joint.second)];
-            let ([Some(first), Some(second)], Some(angle)) = (ends, turned(mechanism, joint)) else {
+            let ([Some(first), Some(second)], Some(angle)) = (ends, holding::turned(mechanism, joint)) else {
                 continue;
             };
             let pairs = [
@@ -150,26 +146,10 @@ fn carried(mechanism: &Mechanism, own: Ray) -> Vec<Ray> {
     found
 }
 
-/// By how much the second body of a joint that keeps orientation is turned, in the plane.
-fn turned(mechanism: &Mechanism, joint: &super::super::Joint) -> Option<f64> {
-    let scalars = joint.form.call.named.iter().filter(|argument| !argument.is_direction());
-    match scalars.zip(&joint.scalars).find(|(argument, _)| argument.name == "angle") {
-        Some((_, angle)) => fold::evaluate(angle, &mechanism.defaults()),
-        None => Some(0.0),
-    }
-}
-
 /// A place without axes of its own, as numbers.
 fn plain(mechanism: &Mechanism, place: &Place) -> Option<V3> {
-    match place.axes {
-        Axes::Parallel => numbers(mechanism, &place.at),
-        _ => None,
-    }
-}
-
-fn numbers(mechanism: &Mechanism, vector: &Vector) -> Option<V3> {
-    let value = |expr: &Expr| fold::evaluate(expr, &mechanism.defaults());
-    Some([value(&vector[0])?, value(&vector[1])?, value(&vector[2])?])
+    let (_, at) = holding::known(mechanism, place)?;
+    matches!(place.axes, Axes::Parallel).then_some(at)
 }
 
 /// About z.
