@@ -6,7 +6,7 @@
 //! ```
 
 mod harness;
-#[path = "../examples/quick_return/progress.rs"]
+#[path = "../examples/progress.rs"]
 mod progress;
 
 use harness::seconds;

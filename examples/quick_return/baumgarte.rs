@@ -4,9 +4,9 @@
 //! and 50. The loop is a crank-rocker of our own in absolute coordinates, so that all eight rows can drift.
 
 use crate::drawing::Frame;
-use crate::progress::Progress;
 use crate::tables::{Table, write_csv};
 use linkwright::{Baumgarte, Formulation, LagrangeIndex1, Sample, Simulation, SimulationError, State};
+use linkwright_examples::progress::Progress;
 use std::io;
 use std::path::{Path, PathBuf};
 

@@ -10,14 +10,13 @@ mod drawing;
 mod geometry;
 mod page;
 mod plots;
-mod progress;
 mod report;
 mod runs;
 mod shapes;
 mod tables;
 
 use std::error::Error;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Nominal crank speeds, rad/s.
 const CRANK_SPEEDS: [f64; 2] = [15.0, 30.0];
@@ -44,11 +43,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// `quick_return` in the target directory, which need not be this package's own.
+/// `quick_return` in the target directory.
 fn output_directory() -> std::io::Result<PathBuf> {
-    let target = std::env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
-    let target = target.unwrap_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join("target"));
-    let directory = target.join("quick_return");
+    let directory = linkwright_examples::in_target("quick_return");
     std::fs::create_dir_all(&directory)?;
     Ok(directory)
 }

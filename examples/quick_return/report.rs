@@ -9,7 +9,7 @@ use crate::page::Page;
 use crate::plots::{Axis, Curve, Plot};
 use crate::runs::{self, Point, Run};
 use crate::tables::escape;
-use linkwright_models::quick_return::QuickReturn;
+use linkwright_examples::quick_return::QuickReturn;
 use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -4,10 +4,10 @@
 //! the results gathered. What is said about them is in `report.rs`.
 
 use crate::drawing::Frame;
-use crate::progress::Progress;
 use crate::tables::{Table, write_csv};
 use linkwright::{Baumgarte, BodyMotion, Reaction, Sampled, Simulation, State};
-use linkwright_models::quick_return::{ConstantSpeed, QuickReturn, QuickReturnInputs, slider_force};
+use linkwright_examples::progress::Progress;
+use linkwright_examples::quick_return::{ConstantSpeed, QuickReturn, QuickReturnInputs, slider_force};
 use std::error::Error;
 use std::f64::consts::TAU;
 use std::io;

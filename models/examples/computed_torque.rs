@@ -2,18 +2,16 @@
 //! control of each arm by itself.
 //!
 //! ```text
-//! cargo run --release --example computed_torque               writes computed_torque.svg in the target directory
-//! cargo run --release --example computed_torque -- FILE.svg
+//! cargo run --release -p linkwright-models --example computed_torque               writes computed_torque.svg in the target directory
+//! cargo run --release -p linkwright-models --example computed_torque -- FILE.svg
 //! ```
 //! s̈ = s̈_d + 2 ω (ṡ_d − ṡ) + ω² (s_d − s) for the three arms; `Reduced` makes accelerations of the whole of these, `Actuators` the torques. The
 //! other controller has the same ω, and for each arm the inertia and the weight that it has at the start, without the others. Source: Spong, Hutchinson, Vidyasagar, *Robot Modeling
 //! and Control*, 8.3.
 
-mod plots;
-
 use linkwright::{Actuators, AssembleExt, Reduced, Rk4, Stepper, coordinate_rates, coordinate_values};
+use linkwright_examples::plots::{Curve, Panel, draw};
 use linkwright_models::delta_robot::{DeltaRobot, DeltaRobotInputs};
-use plots::{Curve, Panel, draw};
 use std::error::Error;
 
 /// The tick, s, and how many there are.

@@ -1,8 +1,8 @@
 //! A linear–quadratic regulator of the light cart-pole: a bob of 1 kg on a massless pole, balanced on a cart a million times lighter.
 //!
 //! ```text
-//! cargo run --release --example lqr               writes lqr.svg in the target directory
-//! cargo run --release --example lqr -- FILE.svg
+//! cargo run --release -p linkwright-models --example lqr               writes lqr.svg in the target directory
+//! cargo run --release -p linkwright-models --example lqr -- FILE.svg
 //! ```
 //! Upright it falls with a rate of 3 132 1/s: within a tick of 0.2 ms what is off nearly doubles, so that the plant as it is between two ticks must be
 //! known, and A_d and B_d are those of the step itself (`step_map`), which the linear plant with its input held (`zero_order_hold`) is compared with. The
@@ -10,13 +10,11 @@
 //! smoothly: from 3 rad/s on the bob's centrifugal force is more than its weight, and nothing is linear any more. Source: Åström, Wittenmark,
 //! *Computer-Controlled Systems*, 11.4.
 
-mod plots;
-
 use linkwright::{
     AssembleExt, Linearisation, Rk4, Stepper, coordinate_rates, coordinate_values, mechanism, step_map,
     zero_order_hold,
 };
-use plots::{Curve, Panel, draw};
+use linkwright_examples::plots::{Curve, Panel, draw};
 use std::error::Error;
 
 mechanism! {

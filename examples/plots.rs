@@ -2,7 +2,7 @@
 
 use plotters::prelude::*;
 use std::error::Error;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Curves in one diagram.
 pub struct Panel {
@@ -28,7 +28,8 @@ const COLOURS: [RGBColor; 5] = [
 
 /// Writes `name`.svg, or the file that the first argument of the program names, and gives its path.
 pub fn draw(name: &str, title: &str, horizontal: &str, panels: &[Panel]) -> Result<PathBuf, Box<dyn Error>> {
-    let file = std::env::args().nth(1).map_or_else(|| in_target(name), PathBuf::from);
+    let file =
+        std::env::args().nth(1).map_or_else(|| crate::in_target(&format!("{name}.svg")), PathBuf::from);
     let mut svg = String::new();
     {
         let root =
@@ -67,12 +68,6 @@ pub fn draw(name: &str, title: &str, horizontal: &str, panels: &[Panel]) -> Resu
     }
     std::fs::write(&file, svg)?;
     Ok(file)
-}
-
-/// In the target directory, which need not be this package's own.
-fn in_target(name: &str) -> PathBuf {
-    let target = std::env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
-    target.unwrap_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join("target")).join(format!("{name}.svg"))
 }
 
 fn range(values: impl Iterator<Item = f64>, margin: f64) -> std::ops::Range<f64> {

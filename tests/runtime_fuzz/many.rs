@@ -1,12 +1,12 @@
 //! Random calls of the runtime, as many as wanted: `--cases 200000 --seed 1`. What is judged is in `tests/runtime_fuzz`.
 
-#[path = "../tests/runtime_fuzz/judge.rs"]
+#[path = "judge.rs"]
 mod judge;
-#[path = "../tests/runtime_fuzz/methods.rs"]
+#[path = "methods.rs"]
 mod methods;
-#[path = "../tests/runtime_fuzz/models.rs"]
+#[path = "models.rs"]
 mod models;
-#[path = "../tests/runtime_fuzz/random.rs"]
+#[path = "random.rs"]
 mod random;
 
 fn main() {

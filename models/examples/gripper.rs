@@ -1,20 +1,18 @@
 //! A gripper with a motor and a gearbox: it closes by position, feels its object, and goes on by force.
 //!
 //! ```text
-//! cargo run --release --example gripper               writes gripper.svg in the target directory
-//! cargo run --release --example gripper -- FILE.svg
+//! cargo run --release -p linkwright-models --example gripper               writes gripper.svg in the target directory
+//! cargo run --release -p linkwright-models --example gripper -- FILE.svg
 //! ```
 //! A direct-current motor with inductance turns the left finger through a gear of 60; a gear between the fingers turns the right one the other way. Each
 //! finger is a parallelogram, so that its jaw stays upright. The object is two springs that push where a jaw is closer than its half width.
 //! While it closes the torque is that of the inertia and the bias of `Reduced` along the finger's angle (computed torque), then that of the grip; the
 //! voltage follows the current asked for by the motor's data.
 
-mod plots;
-
 use linkwright::{
     AssembleExt, Reduced, Rk4, State, Stepper, coordinate, coordinate_rates, coordinate_values, mechanism,
 };
-use plots::{Curve, Panel, draw};
+use linkwright_examples::plots::{Curve, Panel, draw};
 use std::error::Error;
 
 mechanism! {

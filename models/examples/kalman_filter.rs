@@ -1,20 +1,18 @@
 //! An extended Kalman filter on a four-bar: the crank's angle and rate from a noisy camera that follows a point of the coupler.
 //!
 //! ```text
-//! cargo run --release --example kalman_filter               writes kalman_filter.svg in the target directory
-//! cargo run --release --example kalman_filter -- FILE.svg
+//! cargo run --release -p linkwright-models --example kalman_filter               writes kalman_filter.svg in the target directory
+//! cargo run --release -p linkwright-models --example kalman_filter -- FILE.svg
 //! ```
 //! The true mechanism is pushed by a torque that nobody measures. At each tick of 2 ms the estimate x = (θ, θ̇) and its covariance go on by the step
 //! and its exact derivative (`step_map`); at each fifth the camera gives y with 5 mm of noise, C is that of `output_matrices`, and the estimate is
 //! brought onto the constraints by what it says of the crank (`measured`). Source: Simon, *Optimal State Estimation*, 13.2.
 
-mod plots;
-
 use linkwright::{
     Assemble, AssembleExt, Linearisation, Mechanism, Reading, Rk4, State, StateOf, Stepper, coordinate_rates,
     coordinate_values, measured, mechanism, step_map,
 };
-use plots::{Curve, Panel, draw};
+use linkwright_examples::plots::{Curve, Panel, draw};
 use std::error::Error;
 
 mechanism! {

@@ -1,7 +1,7 @@
 //! Ten million ticks in single precision: the clock against exact counts, the motion against double precision.
 //!
 //! ```text
-//! cargo run --release --example long_ticks [-- TICKS [STEPS A TICK]]
+//! cargo run --release -p linkwright-models --example long_ticks [-- TICKS [STEPS A TICK]]
 //! ```
 //! A crank-rocker is advanced tick by tick, as a control loop does it: from time zero, and from 86 400 s, where times in single
 //! precision are 8 ms apart and a tick is 1 ms. After each tick the clock must show the exact time rounded once. The motor keeps the

@@ -2,9 +2,9 @@
 //! `compiler/src/counts.rs`; `linkwright counts FILE` does the same for any definition.
 //!
 //! ```text
-//! cargo run --release --example counts                 tables
-//! cargo run --release --example counts -- --json       an array of objects
-//! cargo run --release --example counts -- four_bar     only models whose name contains this
+//! cargo run --release -p linkwright-models --example counts                 tables
+//! cargo run --release -p linkwright-models --example counts -- --json       an array of objects
+//! cargo run --release -p linkwright-models --example counts -- four_bar     only models whose name contains this
 //! ```
 
 use linkwright_compiler::counts;

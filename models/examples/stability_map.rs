@@ -1,8 +1,8 @@
 //! Where a motorcycle's rear wheel flutters under braking: a map over speed and slip, with the boundary of flutter, as a picture.
 //!
 //! ```text
-//! cargo run --release --example stability_map                 writes stability_map.svg in the target directory
-//! cargo run --release --example stability_map -- FILE.svg
+//! cargo run --release -p linkwright-models --example stability_map                 writes stability_map.svg in the target directory
+//! cargo run --release -p linkwright-models --example stability_map -- FILE.svg
 //! ```
 //! Each cell is the largest real part of the eigenvalues of the state matrix about steady running; the boundary is found by bisection.
 
@@ -10,7 +10,7 @@ use linkwright::{AssembleExt, Linearisation, Mechanism};
 use linkwright_models::rear_wheel::{RearWheel, RearWheelParameters};
 use std::error::Error;
 use std::fmt::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// m/s, from left to right.
 const SPEEDS: (f64, f64) = (5.0, 60.0);
@@ -24,7 +24,9 @@ const SIZE: (f64, f64) = (660.0, 480.0);
 const CORNER: (f64, f64) = (80.0, 40.0);
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let file = std::env::args().nth(1).map_or_else(in_target, PathBuf::from);
+    let file = std::env::args()
+        .nth(1)
+        .map_or_else(|| linkwright_examples::in_target("stability_map.svg"), PathBuf::from);
     let mut boundary = Vec::new();
     println!("speed, m/s   slip at the boundary   force on the wheel, N   frequency, Hz");
     for step in 0..=CELLS.0 {
@@ -42,12 +44,6 @@ fn main() -> Result<(), Box<dyn Error>> {
     std::fs::write(&file, picture(&boundary)?)?;
     println!("{} shows where it flutters", file.display());
     Ok(())
-}
-
-/// In the target directory, which need not be this package's own.
-fn in_target() -> PathBuf {
-    let target = std::env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
-    target.unwrap_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join("target")).join("stability_map.svg")
 }
 
 fn between((first, last): (f64, f64), share: f64) -> f64 {

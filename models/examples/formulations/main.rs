@@ -1,4 +1,4 @@
-//! Every formulation on the published benchmarks: `cargo run --release --example formulations`.
+//! Every formulation on the published benchmarks: `cargo run --release -p linkwright-models --example formulations`.
 //!
 //! Prints the tables of `docs/formulations.md`: for each formulation and step the error at the end of the run, the drift of
 //! the energy, the violation of the constraints, where the motion came near a singular position, and the time taken.
