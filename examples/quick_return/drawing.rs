@@ -379,13 +379,13 @@ fn colour(body: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use linkwright_examples::quick_return::QuickReturn;
+    use crate::baumgarte::ClosedLoop;
 
     #[test]
     fn a_drawing_shows_every_body_and_joint() {
-        let geometry = Geometry::of(QuickReturn::DEFINITION).unwrap();
-        let start = QuickReturn::START;
-        let motions = QuickReturn::<f64>::default().motions(0.0, &start.q, &start.v, &[0.0; 4]);
+        let geometry = Geometry::of(ClosedLoop::DEFINITION).unwrap();
+        let start = ClosedLoop::START;
+        let motions = ClosedLoop::<f64>::default().motions(0.0, &start.q, &start.v, &[0.0; 9]);
         let frames = vec![Frame::of(0.0, &motions), Frame::of(0.1, &motions)];
         let drawing = Drawing {
             geometry: &geometry,
@@ -396,7 +396,7 @@ mod tests {
             caption: String::new(),
         };
         let figure = drawing.figure();
-        assert_eq!(figure.matches("data-body=").count(), QuickReturn::BODIES.len());
-        assert_eq!(figure.matches("data-mark=").count(), 2 * QuickReturn::JOINTS.len());
+        assert_eq!(figure.matches("data-body=").count(), ClosedLoop::BODIES.len());
+        assert_eq!(figure.matches("data-mark=").count(), 2 * ClosedLoop::JOINTS.len());
     }
 }
