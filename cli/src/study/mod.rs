@@ -26,7 +26,6 @@ use linkwright_runtime::AssembleExt;
 use methods::{AnyEngine, EngineState};
 use options::{Command, Study};
 use serde_json::{Value, json};
-use std::ffi::OsStr;
 use std::io::{IsTerminal, stderr};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -66,7 +65,7 @@ pub fn study(study: &Study) -> ExitCode {
     }
     let colours = stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
     let renderer = report::renderer(colours);
-    let found = match one_definition(&study.file) {
+    let found = match one_definition(study) {
         Ok(found) => found,
         Err(message) => {
             if study.json {
@@ -131,22 +130,28 @@ pub struct Done {
     pub failed: bool,
 }
 
-/// The one definition of a file.
-pub fn one_definition(file: &OsStr) -> Result<Found, String> {
-    let mut found = input::definitions(file)?;
-    let name = file.to_string_lossy();
-    match found.len() {
-        0 => Err(format!("there is no definition in `{name}`")),
-        1 => Ok(found.remove(0)),
-        count => {
-            let names = found.iter().map(|one| {
-                let header = header(one.tokens.stream.clone(), &|_| None);
-                header.map_or("?".to_string(), |header| header.name.to_string())
-            });
-            let names = names.collect::<Vec<_>>().join(", ");
-            Err(format!(
-                "`{name}` has {count} definitions, {names}, and one is needed: write it to a file that ends in `.mech`"
-            ))
+/// The definition that is meant: the only one of the file, or that of the name.
+pub fn one_definition(study: &Study) -> Result<Found, String> {
+    let mut found = input::definitions(&study.file)?;
+    let file = study.file.to_string_lossy();
+    let names = found.iter().map(|one| {
+        let header = header(one.tokens.stream.clone(), &|_| None);
+        header.map_or("?".to_string(), |header| header.name.to_string())
+    });
+    let names: Vec<String> = names.collect();
+    match (&study.mechanism, found.len()) {
+        (_, 0) => Err(format!("there is no definition in `{file}`")),
+        (Some(wanted), _) => match names.iter().position(|name| name == wanted) {
+            Some(index) => Ok(found.swap_remove(index)),
+            None => {
+                let what = format!("--mechanism: `{file}` has no definition");
+                Err(unknown(&what, wanted, names.iter().map(String::as_str)))
+            }
+        },
+        (None, 1) => Ok(found.remove(0)),
+        (None, count) => {
+            let names = names.join(", ");
+            Err(format!("`{file}` has {count} definitions, {names}: say which with `--mechanism NAME`"))
         }
     }
 }

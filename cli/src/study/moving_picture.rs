@@ -6,7 +6,7 @@ use linkwright_compiler::page::scene::{Scene, Shape, Spot};
 use std::fmt::Write;
 
 /// Frames of the picture: few enough that it stays small.
-const FRAMES: usize = 90;
+const FRAMES: usize = 60;
 const WIDTH: f64 = 640.0;
 const HEIGHT: f64 = 420.0;
 const MARGIN: f64 = 36.0;
@@ -93,10 +93,10 @@ fn directions(scene: &Scene) -> ([f64; 3], [f64; 3]) {
     (right, cross(toward, right))
 }
 
-/// One path of the picture, the same number of corners in every frame.
+/// One path of the picture, the same number of corners in every frame, drawn with one style over the other.
 struct Moving {
     frames: Vec<String>,
-    style: String,
+    styles: Vec<String>,
 }
 
 /// The picture.
@@ -138,7 +138,7 @@ pub fn picture(name: &str, film: &Film) -> String {
                 path(&ends, false)
             }
         };
-        paths.push(Moving { frames: moments.iter().map(frame).collect(), style });
+        paths.push(Moving { frames: moments.iter().map(frame).collect(), styles: vec![style] });
     }
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" width=\"{WIDTH}\" height=\"{HEIGHT}\">\n\
@@ -151,10 +151,19 @@ pub fn picture(name: &str, film: &Film) -> String {
     grounds(&mut svg, &eye, &moments);
     let duration =
         (times.last().copied().unwrap_or_default() - times.first().copied().unwrap_or_default()).max(0.1);
-    for moving in &paths {
-        let _ = write!(svg, "<path d=\"{}\" {}>", moving.frames[0], moving.style);
-        animated(&mut svg, "d", &moving.frames, duration);
-        svg.push_str("</path>\n");
+    for (index, Moving { frames, styles }) in paths.iter().enumerate() {
+        if let [style] = &styles[..] {
+            let _ = write!(svg, "<path d=\"{}\" {style}>", frames[0]);
+            animated(&mut svg, "d", frames, duration);
+            svg.push_str("</path>\n");
+            continue;
+        }
+        let _ = write!(svg, "<defs><path id=\"p{index}\" d=\"{}\">", frames[0]);
+        animated(&mut svg, "d", frames, duration);
+        svg.push_str("</path></defs>\n");
+        for style in styles {
+            let _ = writeln!(svg, "<use href=\"#p{index}\" {style}/>");
+        }
     }
     for joint in &scene.joints {
         let spots: Vec<[f64; 2]> =
@@ -213,7 +222,7 @@ fn shapes(paths: &mut Vec<Moving>, eye: &Eye, moments: &[Moment], index: usize, 
             let rim = rim.iter().map(|at| eye.spot(moment.place(Spot { body: Some(index), at: *at })));
             path(&rim.collect::<Vec<_>>(), true)
         };
-        paths.push(Moving { frames: moments.iter().map(frame).collect(), style });
+        paths.push(Moving { frames: moments.iter().map(frame).collect(), styles: vec![style] });
         return;
     }
     let spots = |moment: &Moment| -> Vec<[f64; 2]> {
@@ -221,13 +230,11 @@ fn shapes(paths: &mut Vec<Moving>, eye: &Eye, moments: &[Moment], index: usize, 
     };
     let frames: Vec<String> =
         moments.iter().map(|moment| path(&spots(moment), spots(moment).len() > 2)).collect();
-    for (width, colour, opacity) in [(11.0, "var(--ink)", 1.0), (8.4, "var(--paper)", 1.0), (8.4, hue, 0.35)]
-    {
-        let style = format!(
-            "fill=\"none\" stroke=\"{colour}\" stroke-opacity=\"{opacity}\" stroke-width=\"{width}\""
-        );
-        paths.push(Moving { frames: frames.clone(), style });
-    }
+    let strokes = [(11.0, "var(--ink)", 1.0), (8.4, "var(--paper)", 1.0), (8.4, hue, 0.35)];
+    let styles = strokes.map(|(width, colour, opacity)| {
+        format!("fill=\"none\" stroke=\"{colour}\" stroke-opacity=\"{opacity}\" stroke-width=\"{width}\"")
+    });
+    paths.push(Moving { frames, styles: styles.to_vec() });
 }
 
 /// A line from corner to corner.

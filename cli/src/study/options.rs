@@ -39,12 +39,13 @@ impl Command {
     fn options(self) -> &'static [&'static str] {
         match self {
             Command::Run | Command::Plot => {
-                &["for", "step", "every", "formulation", "integrator", "set", "input", "show", "out", "json"]
+                &["mechanism", "for", "step", "every", "formulation", "integrator", "set", "input", "show", "out", "json"]
             }
             Command::Animate => {
-                &["for", "step", "every", "formulation", "integrator", "set", "input", "svg", "out", "json"]
+                &["mechanism", "for", "step", "every", "formulation", "integrator", "set", "input", "svg", "out", "json"]
             }
             Command::Sweep => &[
+                "mechanism",
                 "over",
                 "measure",
                 "for",
@@ -57,8 +58,8 @@ impl Command {
                 "out",
                 "json",
             ],
-            Command::Draw => &["set", "out", "json"],
-            Command::Watch => &["port", "for", "step", "every", "formulation", "integrator", "set", "input"],
+            Command::Draw => &["mechanism", "set", "out", "json"],
+            Command::Watch => &["mechanism", "port", "for", "step", "every", "formulation", "integrator", "set", "input"],
         }
     }
 
@@ -79,6 +80,7 @@ Moves a mechanism and writes what is measured, as comma-separated values.
 
 usage: linkwright run [options] FILE
 
+  --mechanism NAME        which one, where the file has several
   --for DURATION          10s if it is not given; a number is in s, or write 500ms, 2min
   --step DURATION         1ms; of dormand_prince the largest step
   --every DURATION        between lines; every step if it is not given
@@ -104,7 +106,7 @@ usage: linkwright plot [options] FILE
   --out FILE              in place of standard output
   --json                  for machines: the picture as a field
 
---for, --step, --formulation, --integrator, --set and --input are those of `linkwright run`.
+--mechanism, --for, --step, --formulation, --integrator, --set and --input are those of `linkwright run`.
 ";
 
 const ANIMATE: &str = "\
@@ -118,7 +120,7 @@ usage: linkwright animate [options] FILE
   --out FILE              NAME.html or NAME.svg if it is not given, NAME that of the mechanism
   --json                  for machines: what was written
 
---for, --step, --formulation, --integrator, --set and --input are those of `linkwright run`.
+--mechanism, --for, --step, --formulation, --integrator, --set and --input are those of `linkwright run`.
 ";
 
 const SWEEP: &str = "\
@@ -132,7 +134,7 @@ usage: linkwright sweep [options] FILE
   --out FILE                   in place of standard output
   --json                       for machines
 
---for, --step, --every, --formulation, --integrator, --set and --input are those of `linkwright run`.
+--mechanism, --for, --step, --every, --formulation, --integrator, --set and --input are those of `linkwright run`.
 ";
 
 const DRAW: &str = "\
@@ -140,6 +142,7 @@ Draws a mechanism at its start, as SVG.
 
 usage: linkwright draw [options] FILE
 
+  --mechanism NAME        which one, where the file has several
   --set NAME=VALUE        a parameter, in its unit; may be repeated
   --out FILE              in place of standard output
   --json                  for machines: the drawing as a field
@@ -153,7 +156,7 @@ usage: linkwright watch [options] FILE
 
   --port NUMBER           4180 if it is not given; 0 is any that is free
 
---for, --step, --every, --formulation, --integrator, --set and --input are those of `linkwright animate`.
+--mechanism, --for, --step, --every, --formulation, --integrator, --set and --input are those of `linkwright animate`.
 ";
 
 /// What a command is asked to do.
@@ -161,6 +164,8 @@ usage: linkwright watch [options] FILE
 pub struct Study {
     pub command: Command,
     pub file: OsString,
+    /// Which of the definitions of the file.
+    pub mechanism: Option<String>,
     pub course: Course,
     /// Name and value in the unit of the parameter.
     pub set: Vec<(String, f64)>,
@@ -193,6 +198,7 @@ pub fn parse(
     let mut study = Study {
         command,
         file: OsString::new(),
+        mechanism: None,
         course: course.clone(),
         set: Vec::new(),
         inputs: Vec::new(),
@@ -239,6 +245,7 @@ pub fn parse(
         let text = value.to_string_lossy().into_owned();
         let with_name = |error: String| format!("--{option}: {error}");
         match option.as_str() {
+            "mechanism" => study.mechanism = Some(text),
             "for" => course.duration = seconds(&text).map_err(with_name)?,
             "step" => course.step = seconds(&text).map_err(with_name)?,
             "every" => course.every = Some(seconds(&text).map_err(with_name)?),

@@ -15,7 +15,7 @@ use serde_json::{Value, json};
 
 /// The file as it stands, with the values that the page asks for.
 pub fn state(study: &Study, request: &Request) -> Value {
-    let found = match one_definition(&study.file) {
+    let found = match one_definition(study) {
         Ok(found) => found,
         Err(message) => return json!({ "messages": [plain(&message)] }),
     };
