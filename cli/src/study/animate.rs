@@ -49,7 +49,7 @@ pub struct Curve {
 pub fn animate(study: &Study, loaded: &Loaded) -> Result<Done, Failure> {
     let film = film(study, loaded)?;
     let (text, kind) = if study.svg {
-        (moving_picture::picture(&loaded.name, &film), "svg")
+        (moving_picture::picture(&loaded.name, &film, study.speed), "svg")
     } else {
         (page(study, loaded, &film), "html")
     };

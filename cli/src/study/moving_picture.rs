@@ -1,6 +1,7 @@
 //! A picture that plays by itself, without a script: SVG whose paths change from frame to frame, for a README.
 
 use super::animate::Film;
+use super::short;
 use linkwright_compiler::drawing_text::escaped;
 use linkwright_compiler::page::scene::{Scene, Shape, Spot};
 use std::fmt::Write;
@@ -99,8 +100,8 @@ struct Moving {
     styles: Vec<String>,
 }
 
-/// The picture.
-pub fn picture(name: &str, film: &Film) -> String {
+/// The picture; the motion has `speed` times its speed.
+pub fn picture(name: &str, film: &Film, speed: f64) -> String {
     let (scene, times) = (&film.scene, &film.run.trajectory.times);
     let count = film.poses.len();
     let frames = FRAMES.min(count).max(1);
@@ -142,15 +143,16 @@ pub fn picture(name: &str, film: &Film) -> String {
     }
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" width=\"{WIDTH}\" height=\"{HEIGHT}\">\n\
-         <title>{}, in motion</title>\n\
+         <title>{}, in motion{}</title>\n\
          <style>svg{{--ink:#1b2330;--paper:#fff}}@media(prefers-color-scheme:dark){{svg{{--ink:#e4e9f0;--paper:#12161d}}}}\
          path,circle{{stroke-linecap:round;stroke-linejoin:round}}</style>\n\
          <rect width=\"{WIDTH}\" height=\"{HEIGHT}\" rx=\"12\" fill=\"var(--paper)\"/>\n",
-        escaped(name)
+        escaped(name),
+        if speed == 1.0 { String::new() } else { format!(" at {} times its speed", short(speed)) }
     );
     grounds(&mut svg, &eye, &moments);
-    let duration =
-        (times.last().copied().unwrap_or_default() - times.first().copied().unwrap_or_default()).max(0.1);
+    let passed = times.last().copied().unwrap_or_default() - times.first().copied().unwrap_or_default();
+    let duration = (passed / speed).max(0.1);
     for (index, Moving { frames, styles }) in paths.iter().enumerate() {
         if let [style] = &styles[..] {
             let _ = write!(svg, "<path d=\"{}\" {style}>", frames[0]);
@@ -219,8 +221,11 @@ fn shapes(paths: &mut Vec<Moving>, eye: &Eye, moments: &[Moment], index: usize, 
     if let Some(rim) = rims {
         let style = format!("fill=\"{hue}\" fill-opacity=\"0.2\" stroke=\"var(--ink)\" stroke-width=\"1.4\"");
         let frame = |moment: &Moment| {
-            let rim = rim.iter().map(|at| eye.spot(moment.place(Spot { body: Some(index), at: *at })));
-            path(&rim.collect::<Vec<_>>(), true)
+            let spot = |at: [f64; 3]| eye.spot(moment.place(Spot { body: Some(index), at }));
+            let outline = path(&rim.iter().map(|at| spot(*at)).collect::<Vec<_>>(), true);
+            // What is round shows by a radius how it turns.
+            let radius = if body.outline == "box" { String::new() } else { path(&[spot([0.0; 3]), spot(rim[0])], false) };
+            outline + &radius
         };
         paths.push(Moving { frames: moments.iter().map(frame).collect(), styles: vec![style] });
         return;

@@ -42,7 +42,7 @@ impl Command {
                 &["mechanism", "for", "step", "every", "formulation", "integrator", "set", "input", "show", "out", "json"]
             }
             Command::Animate => {
-                &["mechanism", "for", "step", "every", "formulation", "integrator", "set", "input", "svg", "out", "json"]
+                &["mechanism", "for", "step", "every", "formulation", "integrator", "set", "input", "svg", "speed", "out", "json"]
             }
             Command::Sweep => &[
                 "mechanism",
@@ -116,6 +116,7 @@ fetches nothing and works from a disk.
 usage: linkwright animate [options] FILE
 
   --svg                   a picture that plays by itself, in place of the page
+  --speed FACTOR          of that picture; 0.1 is a tenth of the motion's own speed
   --every DURATION        between samples; 600 of them if it is not given
   --out FILE              NAME.html or NAME.svg if it is not given, NAME that of the mechanism
   --json                  for machines: what was written
@@ -176,6 +177,8 @@ pub struct Study {
     pub out: Option<PathBuf>,
     /// A picture in place of a page.
     pub svg: bool,
+    /// Of such a picture, as a multiple of the motion's own.
+    pub speed: f64,
     pub json: bool,
     /// Where `watch` listens.
     pub port: u16,
@@ -207,6 +210,7 @@ pub fn parse(
         show: None,
         out: None,
         svg: false,
+        speed: 1.0,
         json: false,
         port: PORT,
     };
@@ -262,6 +266,11 @@ pub fn parse(
                 let wrong = |_| format!("--port: \"{text}\" is no port: write a number from 0 to 65535");
                 study.port = text.parse().map_err(wrong)?;
             }
+            "speed" => {
+                let number = text.parse::<f64>().ok().filter(|number| *number > 0.0 && number.is_finite());
+                let wrong = || format!("--speed: \"{text}\" is no speed: write 0.1 for a tenth of the motion's own");
+                study.speed = number.ok_or_else(wrong)?;
+            }
             "show" => study.show = Some(Group::list(&text)?),
             _ => study.out = Some(PathBuf::from(value)),
         }
@@ -274,6 +283,9 @@ pub fn parse(
             ));
         }
         course.formulation = Chosen { name: "lagrange", number: None };
+    }
+    if study.speed != 1.0 && !study.svg {
+        return Err("--speed is of the picture that --svg writes; a page has a choice of its own".to_string());
     }
     let Some(file) = file else {
         return Err(format!("{} needs a file: write its path, or `-` for standard input", command.text()));
