@@ -3,7 +3,7 @@
 use super::animate::Film;
 use super::short;
 use linkwright_compiler::drawing_text::escaped;
-use linkwright_compiler::page::scene::{Scene, Shape, Spot};
+use linkwright_compiler::page::scene::{Scene, Shape, Spot, Wheel};
 use std::fmt::Write;
 
 /// Frames of the picture: few enough that it stays small.
@@ -11,6 +11,8 @@ const FRAMES: usize = 60;
 const WIDTH: f64 = 640.0;
 const HEIGHT: f64 = 420.0;
 const MARGIN: f64 = 36.0;
+/// Radius of what is a mass and nothing else.
+const DOT: f64 = 11.0;
 const HUES: [&str; 6] = ["#1f6fd1", "#d1495b", "#2a9d6f", "#c77d0a", "#7a4fc4", "#4a5568"];
 
 /// The world at one sample.
@@ -121,6 +123,8 @@ pub fn picture(name: &str, film: &Film, speed: f64) -> String {
                 points.extend([[x - r, y - r, z], [x + r, y + r, z]]);
             }
         }
+        let rims = scene.wheels.iter().flat_map(|wheel| rim(wheel, 8));
+        points.extend(rims.map(|spot| moment.place(spot)));
         points.extend(scene.joints.iter().map(|joint| moment.place(joint.second)));
         points.extend(scene.loads.iter().flat_map(|load| load.ends.iter().map(|end| moment.place(*end))));
     }
@@ -129,6 +133,7 @@ pub fn picture(name: &str, film: &Film, speed: f64) -> String {
     for (index, body) in scene.bodies.iter().enumerate() {
         shapes(&mut paths, &eye, &moments, index, body);
     }
+    paths.extend(scene.wheels.iter().map(|wheel| pitch_circle(&eye, &moments, wheel)));
     for load in scene.loads.iter().filter(|load| load.ends.len() > 1) {
         let style = "fill=\"none\" stroke=\"#c4601c\" stroke-width=\"1.6\"".to_string();
         let frame = |moment: &Moment| {
@@ -201,6 +206,40 @@ fn animated(svg: &mut String, attribute: &str, frames: &[String], duration: f64)
     );
 }
 
+/// Places on a pitch circle.
+fn rim(wheel: &Wheel, count: u32) -> impl Iterator<Item = Spot> {
+    let about = wheel.about;
+    // Across the axis: with the coordinate that it has least of.
+    let least = (0..3).min_by(|a, b| about[*a].abs().total_cmp(&about[*b].abs())).unwrap_or_default();
+    let mut aside = [0.0; 3];
+    aside[least] = 1.0;
+    let first = cross(about, aside);
+    let size = dot(first, first).sqrt().max(1e-12);
+    let first = first.map(|x| x / size);
+    let second = cross(about, first);
+    let Wheel { radius, center, .. } = wheel.clone();
+    (0..count).map(move |k| {
+        let (sin, cos) = (f64::from(k) * std::f64::consts::TAU / f64::from(count)).sin_cos();
+        let at = [0, 1, 2].map(|k| center.at[k] + radius * (cos * first[k] + sin * second[k]));
+        Spot { body: center.body, at }
+    })
+}
+
+/// A pitch circle with a radius, which shows how it turns.
+fn pitch_circle(eye: &Eye, moments: &[Moment], wheel: &Wheel) -> Moving {
+    let frame = |moment: &Moment| {
+        let center = eye.spot(moment.place(wheel.center));
+        let count = if moment.scene.is_planar { 1 } else { 28 };
+        let spots: Vec<[f64; 2]> = rim(wheel, count).map(|spot| eye.spot(moment.place(spot))).collect();
+        if moment.scene.is_planar {
+            return circle(center, spots[0]);
+        }
+        path(&spots, true) + &path(&[center, spots[0]], false)
+    };
+    let style = "fill=\"none\" stroke=\"var(--ink)\" stroke-opacity=\"0.6\" stroke-width=\"1.2\"".to_string();
+    Moving { frames: moments.iter().map(frame).collect(), styles: vec![style] }
+}
+
 /// Bars between spots, and declared shapes.
 fn shapes(paths: &mut Vec<Moving>, eye: &Eye, moments: &[Moment], index: usize, body: &Shape) {
     let hue = HUES[index % HUES.len()];
@@ -222,9 +261,16 @@ fn shapes(paths: &mut Vec<Moving>, eye: &Eye, moments: &[Moment], index: usize, 
         let style = format!("fill=\"{hue}\" fill-opacity=\"0.2\" stroke=\"var(--ink)\" stroke-width=\"1.4\"");
         let frame = |moment: &Moment| {
             let spot = |at: [f64; 3]| eye.spot(moment.place(Spot { body: Some(index), at }));
+            if moment.scene.is_planar && body.outline != "box" {
+                return circle(spot([0.0; 3]), spot(rim[0]));
+            }
             let outline = path(&rim.iter().map(|at| spot(*at)).collect::<Vec<_>>(), true);
             // What is round shows by a radius how it turns.
-            let radius = if body.outline == "box" { String::new() } else { path(&[spot([0.0; 3]), spot(rim[0])], false) };
+            let radius = if body.outline == "box" {
+                String::new()
+            } else {
+                path(&[spot([0.0; 3]), spot(rim[0])], false)
+            };
             outline + &radius
         };
         paths.push(Moving { frames: moments.iter().map(frame).collect(), styles: vec![style] });
@@ -233,6 +279,20 @@ fn shapes(paths: &mut Vec<Moving>, eye: &Eye, moments: &[Moment], index: usize, 
     let spots = |moment: &Moment| -> Vec<[f64; 2]> {
         moment.spots(index, body).iter().map(|spot| eye.spot(*spot)).collect()
     };
+    if body.spots.iter().all(|at| at.iter().all(|x| *x == 0.0)) {
+        // A mass and nothing else: a dot of one size, with a radius where it turns in the plane.
+        let frame = |moment: &Moment| {
+            let place = |at: [f64; 3]| eye.spot(moment.place(Spot { body: Some(index), at }));
+            let center = place([0.0; 3]);
+            let along =
+                if moment.scene.is_planar { place([1.0, 0.0, 0.0]) } else { [center[0] + 1.0, center[1]] };
+            let size = (along[0] - center[0]).hypot(along[1] - center[1]).max(1e-9);
+            circle(center, [0, 1].map(|k| center[k] + DOT * (along[k] - center[k]) / size))
+        };
+        let style = format!("fill=\"{hue}\" fill-opacity=\"0.3\" stroke=\"var(--ink)\" stroke-width=\"1.4\"");
+        paths.push(Moving { frames: moments.iter().map(frame).collect(), styles: vec![style] });
+        return;
+    }
     let frames: Vec<String> =
         moments.iter().map(|moment| path(&spots(moment), spots(moment).len() > 2)).collect();
     let strokes = [(11.0, "var(--ink)", 1.0), (8.4, "var(--paper)", 1.0), (8.4, hue, 0.35)];
@@ -252,6 +312,16 @@ fn path(points: &[[f64; 2]], closed: bool) -> String {
         path.push('Z');
     }
     path
+}
+
+/// About a centre through a place, with the radius to it. The arcs do not turn, so that they stay arcs between frames.
+fn circle(center: [f64; 2], rim: [f64; 2]) -> String {
+    let ([x, y], [a, b]) = (center, rim);
+    let r = (a - x).hypot(b - y);
+    let (left, right) = (x - r, x + r);
+    format!(
+        "M{left:.1} {y:.1}A{r:.1} {r:.1} 0 1 1 {right:.1} {y:.1}A{r:.1} {r:.1} 0 1 1 {left:.1} {y:.1}M{x:.1} {y:.1}L{a:.1} {b:.1}"
+    )
 }
 
 /// As many turns at any length.

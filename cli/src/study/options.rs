@@ -38,12 +38,33 @@ impl Command {
     /// The options that it has.
     fn options(self) -> &'static [&'static str] {
         match self {
-            Command::Run | Command::Plot => {
-                &["mechanism", "for", "step", "every", "formulation", "integrator", "set", "input", "show", "out", "json"]
-            }
-            Command::Animate => {
-                &["mechanism", "for", "step", "every", "formulation", "integrator", "set", "input", "svg", "speed", "out", "json"]
-            }
+            Command::Run | Command::Plot => &[
+                "mechanism",
+                "for",
+                "step",
+                "every",
+                "formulation",
+                "integrator",
+                "set",
+                "input",
+                "show",
+                "out",
+                "json",
+            ],
+            Command::Animate => &[
+                "mechanism",
+                "for",
+                "step",
+                "every",
+                "formulation",
+                "integrator",
+                "set",
+                "input",
+                "svg",
+                "speed",
+                "out",
+                "json",
+            ],
             Command::Sweep => &[
                 "mechanism",
                 "over",
@@ -59,7 +80,9 @@ impl Command {
                 "json",
             ],
             Command::Draw => &["mechanism", "set", "out", "json"],
-            Command::Watch => &["mechanism", "port", "for", "step", "every", "formulation", "integrator", "set", "input"],
+            Command::Watch => {
+                &["mechanism", "port", "for", "step", "every", "formulation", "integrator", "set", "input"]
+            }
         }
     }
 
@@ -268,7 +291,8 @@ pub fn parse(
             }
             "speed" => {
                 let number = text.parse::<f64>().ok().filter(|number| *number > 0.0 && number.is_finite());
-                let wrong = || format!("--speed: \"{text}\" is no speed: write 0.1 for a tenth of the motion's own");
+                let wrong =
+                    || format!("--speed: \"{text}\" is no speed: write 0.1 for a tenth of the motion's own");
                 study.speed = number.ok_or_else(wrong)?;
             }
             "show" => study.show = Some(Group::list(&text)?),
