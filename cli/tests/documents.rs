@@ -1,4 +1,4 @@
-//! The pages of the commands: every block that begins with `$ linkwright …` shows what the program writes.
+//! The pages of the commands and the tutorial: every block that begins with `$ linkwright …` shows what the program writes.
 //!
 //! `UPDATE_GOLDEN=1 cargo test -p linkwright-cli --test documents` writes the blocks anew. Numbers may differ by rounding.
 
@@ -70,7 +70,7 @@ fn pages_show_what_the_program_writes() {
     let mut blocks = 0;
     // Where pages write to.
     fs::create_dir_all(docs().join("../target")).expect("it can be made");
-    for page in ["run", "plot", "animate", "sweep", "draw", "watch"] {
+    for page in ["run", "plot", "animate", "sweep", "draw", "watch", "tutorial"] {
         let path = docs().join(format!("{page}.md"));
         let text = fs::read_to_string(&path).expect("the page");
         let mut new = String::new();

@@ -140,7 +140,13 @@ pub(crate) fn joint_has_none(joint: &str, kind: &str, asked: &str, instead: &str
 }
 
 pub(crate) fn joint_has(joint: &str, kind: &str, asked: &str, quantities: &[&str]) -> String {
-    format!("the {kind} joint `{joint}` has no {asked}; it has {}", quantities.join(", "))
+    let reaction = match asked {
+        "force" | "load" | "reactions" => {
+            format!(", and what it carries is `{joint}.reaction.x`, `.y` or `.size`, in outputs")
+        }
+        _ => String::new(),
+    };
+    format!("the {kind} joint `{joint}` has no {asked}; it has {}{reaction}", quantities.join(", "))
 }
 
 pub(crate) fn joint_of_particle(joint: &str, asked: &str) -> String {
