@@ -221,9 +221,11 @@ fn pages_stay_short() {
         if line.starts_with("```") {
             code = !code;
         }
-        let wide = line.chars().count() > 100 && !line.starts_with('|') && !code;
+        let wide = line.chars().count() > 100 && !line.starts_with(['|', '<']) && !code;
         assert!(!wide, "README.md:{} is longer than 100 characters", number + 1);
     }
+    let lines = front.lines().count();
+    assert!(lines < 120, "README.md has {lines} lines");
     let words = read("ARCHITECTURE.md").split_whitespace().count();
     assert!(words <= 1400, "ARCHITECTURE.md has {words} words: decisions go to docs/decisions");
 }
@@ -298,6 +300,7 @@ fn operations_are_those_that_are_held() {
     let mut compared = 0;
     for (page, functions) in [
         (read("README.md").as_str(), [first].as_slice()),
+        (read("docs/performance.md").split_once("## Beside C code").expect("a table").1, &[first]),
         (read("docs/linearisation.md").as_str(), &["acceleration_baumgarte"]),
         (formulations, &["", "acceleration", "acceleration_baumgarte", "null_space", "null_space_baumgarte"]),
     ] {
@@ -357,4 +360,37 @@ fn counts_on_bare_metal_are_those_held() {
         let expected: Vec<String> = of("f32").into_iter().chain(flash).chain(of("f64")).collect();
         assert_eq!(found, expected, "{name}");
     }
+}
+
+/// The gallery shows every model that ships, with a picture that is well formed and moves where it is not said to be at rest.
+#[test]
+fn the_gallery_shows_every_model() {
+    macro_rules! names {
+        ($($name:ident: $model:path),* $(,)?) => { &[$(stringify!($name)),*] };
+    }
+    let models: &[&str] = linkwright_models::for_each_model!(names);
+    let page = read("docs/gallery.md");
+    let at_rest = ["gear_pair_oscillator", "planetary_stage_held", "hinged_bar", "hinged_bar_of_sines"];
+    for name in models {
+        assert!(page.contains(&format!("src=\"gallery/{name}.svg\"")), "{name}: run docs/gallery/make.py");
+        let picture = read(&format!("docs/gallery/{name}.svg"));
+        roxmltree::Document::parse(&picture).unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert_eq!(picture.contains("<animate"), !at_rest.contains(name), "{name}");
+        assert!(!picture.contains("NaN"), "{name}");
+    }
+    assert_eq!(page.matches("<img ").count(), models.len(), "pictures of what is no model");
+}
+
+/// Pictures that documents show exist.
+#[test]
+fn pictures_exist() {
+    let mut shown = 0;
+    for document in documents() {
+        let folder = root().join(&document).parent().expect("its folder").to_path_buf();
+        for file in read(&document).split("<img src=\"").skip(1).filter_map(|rest| rest.split('"').next()) {
+            assert!(folder.join(file).exists(), "{document} shows {file}");
+            shown += 1;
+        }
+    }
+    assert!(shown > 90, "{shown} pictures");
 }

@@ -327,10 +327,10 @@ fn document(path: &str) -> String {
     std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(path)).expect(path)
 }
 
-/// What the front page shows of the program is what it writes.
+/// What the page of the commands shows of them is what they write.
 #[test]
-fn the_front_page_shows_real_output() {
-    let page = document("README.md");
+fn the_page_shows_real_output() {
+    let page = document("docs/command-line.md");
     let shown = |command: &str| -> Vec<String> {
         let rest = page.split_once(&format!("$ linkwright {command}\n")).expect(command).1;
         let block =
