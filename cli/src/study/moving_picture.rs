@@ -2,7 +2,8 @@
 
 use super::animate::Film;
 use linkwright_compiler::drawing_text::escaped;
-use linkwright_compiler::page::scene::{Scene, Shape, Spot};
+use linkwright_compiler::page::magnified;
+use linkwright_compiler::page::scene::{Axis, Scene, Shape, Spot};
 use std::fmt::Write;
 
 /// Frames of the picture: few enough that it stays small.
@@ -19,8 +20,12 @@ struct Moment<'f> {
 }
 
 impl Moment<'_> {
-    fn place(&self, Spot { body, at: [x, y, z] }: Spot) -> [f64; 3] {
-        let Some(body) = body else { return [x, y, z] };
+    fn place(&self, Spot { body, at, station }: Spot) -> [f64; 3] {
+        let Some(body) = body else { return at };
+        let [x, y, z] = match (&self.scene.bodies[body].axis, station) {
+            (Some(axis), Some(station)) => axis.place(station, self.modes()),
+            _ => at,
+        };
         if self.scene.is_planar {
             let [px, py, c, s] = *self.of(body) else { return [0.0; 3] };
             return [px + c * x - s * y, py + s * x + c * y, z];
@@ -35,14 +40,27 @@ impl Moment<'_> {
         &self.pose[body * length..(body + 1) * length]
     }
 
+    fn modes(&self) -> &[f64] {
+        &self.pose[self.pose.len() - self.scene.modes.len()..]
+    }
+
+    /// What a bar or plate is drawn through, or an axis as it is bent.
     fn spots(&self, body: usize, shape: &Shape) -> Vec<[f64; 3]> {
-        let local = |at: &[f64; 3]| self.place(Spot { body: Some(body), at: *at });
+        if let Some(Axis { length, .. }) = shape.axis {
+            let bent = |station| Spot { body: Some(body), at: [0.0; 3], station: Some(station) };
+            return (0..length).map(|station| self.place(bent(station))).collect();
+        }
+        let local = |at: &[f64; 3]| self.place(fixed(body, *at));
         let mut spots: Vec<[f64; 3]> = shape.spots.iter().map(local).collect();
         if spots.len() < 2 {
-            spots.push(self.place(Spot { body: Some(body), at: [0.0; 3] }));
+            spots.push(self.place(fixed(body, [0.0; 3])));
         }
         spots
     }
+}
+
+fn fixed(body: usize, at: [f64; 3]) -> Spot {
+    Spot { body: Some(body), at, station: None }
 }
 
 /// From the world to the picture.
@@ -110,8 +128,8 @@ pub fn picture(name: &str, film: &Film) -> String {
     for moment in &moments {
         for (index, body) in scene.bodies.iter().enumerate() {
             points.extend(moment.spots(index, body));
-            if body.outline != "bar" {
-                let [x, y, z] = moment.place(Spot { body: Some(index), at: [0.0; 3] });
+            if !matches!(body.outline, "bar" | "beam") {
+                let [x, y, z] = moment.place(fixed(index, [0.0; 3]));
                 let r = if body.outline == "box" {
                     0.5 * body.lengths.iter().map(|x| x * x).sum::<f64>().sqrt()
                 } else {
@@ -174,6 +192,15 @@ pub fn picture(name: &str, film: &Film) -> String {
         }
         svg.push_str("</circle>\n");
     }
+    if scene.times != 1.0 {
+        let _ = writeln!(
+            svg,
+            "<text x=\"{}\" y=\"{}\" text-anchor=\"end\" font-family=\"sans-serif\" font-size=\"12\" fill=\"var(--ink)\">{}</text>",
+            WIDTH - 14.0,
+            HEIGHT - 14.0,
+            magnified(scene.times)
+        );
+    }
     svg.push_str("</svg>\n");
     svg
 }
@@ -210,7 +237,7 @@ fn shapes(paths: &mut Vec<Moving>, eye: &Eye, moments: &[Moment], index: usize, 
     if let Some(rim) = rims {
         let style = format!("fill=\"{hue}\" fill-opacity=\"0.2\" stroke=\"var(--ink)\" stroke-width=\"1.4\"");
         let frame = |moment: &Moment| {
-            let rim = rim.iter().map(|at| eye.spot(moment.place(Spot { body: Some(index), at: *at })));
+            let rim = rim.iter().map(|at| eye.spot(moment.place(fixed(index, *at))));
             path(&rim.collect::<Vec<_>>(), true)
         };
         paths.push(Moving { frames: moments.iter().map(frame).collect(), style });
@@ -219,8 +246,9 @@ fn shapes(paths: &mut Vec<Moving>, eye: &Eye, moments: &[Moment], index: usize, 
     let spots = |moment: &Moment| -> Vec<[f64; 2]> {
         moment.spots(index, body).iter().map(|spot| eye.spot(*spot)).collect()
     };
-    let frames: Vec<String> =
-        moments.iter().map(|moment| path(&spots(moment), spots(moment).len() > 2)).collect();
+    let is_plate = |corners: &[[f64; 2]]| body.axis.is_none() && corners.len() > 2;
+    let outline = |corners: Vec<[f64; 2]>| path(&corners, is_plate(&corners));
+    let frames: Vec<String> = moments.iter().map(|moment| outline(spots(moment))).collect();
     for (width, colour, opacity) in [(11.0, "var(--ink)", 1.0), (8.4, "var(--paper)", 1.0), (8.4, hue, 0.35)]
     {
         let style = format!(
