@@ -9,6 +9,7 @@ use super::run::{Run, recorded};
 use super::{Done, Failure, Loaded, moving_picture, short, write};
 use crate::with_engine;
 use linkwright_compiler::drawing_text::escaped;
+use linkwright_compiler::page::magnified;
 use linkwright_compiler::page::scene::{self, Scene, Spot};
 use serde_json::{Value, json};
 use std::path::PathBuf;
@@ -17,7 +18,7 @@ use std::path::PathBuf;
 const SAMPLES: f64 = 600.0;
 
 /// What is kept of the run.
-const GROUPS: [Group; 7] = [
+const GROUPS: [Group; 8] = [
     Group::Outputs,
     Group::Inputs,
     Group::Energy,
@@ -25,13 +26,14 @@ const GROUPS: [Group; 7] = [
     Group::Efforts,
     Group::Residual,
     Group::Motions,
+    Group::State,
 ];
 
 /// A run with the places of all bodies.
 pub struct Film {
     pub run: Run,
     pub scene: Scene,
-    /// Of each sample, body after body: position and orientation.
+    /// Of each sample, body after body: position and orientation; behind these the modes of beams.
     pub poses: Vec<Vec<f64>>,
     /// What is plotted: name, unit, group, and a value for each sample.
     pub curves: Vec<Curve>,
@@ -73,16 +75,19 @@ pub fn film(study: &Study, loaded: &Loaded) -> Result<Film, Failure> {
     let Course { duration, step, every, .. } = &mut study.course;
     every.get_or_insert(((*duration / SAMPLES / *step).round().max(1.0)) * *step);
     let run = recorded(&study, loaded, &GROUPS)?;
-    let scene = with_engine!(&loaded.engine, |engine| {
-        scene::scene(&loaded.compiled, &pose(engine, &super::start(engine)?))
-    });
     let [motion, reaction] = with_engine!(&loaded.engine, |engine| engine.lengths());
-    let kept = if scene.is_planar { 4 } else { 12 };
     let columns = &run.trajectory.columns;
-    let first = columns.iter().position(|column| column.group == Group::Motions).unwrap_or(columns.len());
+    let of = |group: Group| columns.iter().position(|column| column.group == group).unwrap_or(columns.len());
+    let (first, state) = (of(Group::Motions), of(Group::State));
+    let scene = with_engine!(&loaded.engine, |engine| {
+        let positions = run.trajectory.rows().map(|row| &row[state..]);
+        scene::scene(&loaded.compiled, &pose(engine, &super::start(engine)?), positions)
+    });
+    let kept = if scene.is_planar { 4 } else { 12 };
     let poses = run.trajectory.rows().map(|row| {
-        let bodies = row[first..].chunks(motion);
-        bodies.flat_map(|body| body[..kept].iter().map(|value| rounded(*value))).collect()
+        let bodies = row[first..state].chunks(motion).flat_map(|body| &body[..kept]);
+        let modes = scene.modes.iter().map(|index| &row[state + index]);
+        bodies.chain(modes).map(|value| rounded(*value)).collect()
     });
     let poses = poses.collect();
     let mut curves = Vec::new();
@@ -114,16 +119,33 @@ fn rounded(value: f64) -> f64 {
 
 fn spot(spot: &Spot) -> Value {
     let [x, y, z] = spot.at.map(rounded);
-    json!([spot.body.map_or(-1, |body| body as i64), x, y, z])
+    let body = spot.body.map_or(-1, |body| body as i64);
+    match spot.station {
+        Some(station) => json!([body, x, y, z, station]),
+        None => json!([body, x, y, z]),
+    }
 }
 
 /// What the page draws.
 fn data(loaded: &Loaded, film: &Film) -> Value {
-    let Scene { is_planar, up, bodies, joints, loads, wheels } = &film.scene;
+    let Scene { is_planar, up, bodies, joints, loads, wheels, modes, times } = &film.scene;
     let point = |at: &[f64; 3]| json!(at.map(rounded));
     let bodies = bodies.iter().map(|body| {
         let spots: Vec<Value> = body.spots.iter().map(point).collect();
-        json!({ "name": body.name, "outline": body.outline, "lengths": body.lengths, "spots": spots })
+        let mut known =
+            json!({ "name": body.name, "outline": body.outline, "lengths": body.lengths, "spots": spots });
+        if let Some(axis) = &body.axis {
+            let factors =
+                |bending: &scene::Bending| bending.factors.iter().map(|it| rounded(*it)).collect::<Vec<_>>();
+            let bending =
+                |it: &scene::Bending| json!({ "modes": it.modes, "along": it.along, "factors": factors(it) });
+            known["axis"] = json!({
+                "stations": axis.stations.iter().map(point).collect::<Vec<_>>(),
+                "length": axis.length,
+                "bendings": axis.bendings.iter().map(bending).collect::<Vec<_>>(),
+            });
+        }
+        known
     });
     let joints = joints.iter().map(|joint| {
         json!({
@@ -144,6 +166,8 @@ fn data(loaded: &Loaded, film: &Film) -> Value {
     json!({
         "name": loaded.name,
         "planar": is_planar,
+        "modes": modes.len(),
+        "magnified": if *times == 1.0 { Value::Null } else { Value::from(magnified(*times)) },
         "up": up,
         "bodies": bodies.collect::<Vec<_>>(),
         "joints": joints.collect::<Vec<_>>(),

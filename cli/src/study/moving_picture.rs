@@ -3,7 +3,8 @@
 use super::animate::Film;
 use super::short;
 use linkwright_compiler::drawing_text::escaped;
-use linkwright_compiler::page::scene::{Scene, Shape, Spot, Wheel};
+use linkwright_compiler::page::magnified;
+use linkwright_compiler::page::scene::{Axis, Scene, Shape, Spot, Wheel};
 use std::fmt::Write;
 
 /// Frames of the picture: few enough that it stays small.
@@ -22,8 +23,12 @@ struct Moment<'f> {
 }
 
 impl Moment<'_> {
-    fn place(&self, Spot { body, at: [x, y, z] }: Spot) -> [f64; 3] {
-        let Some(body) = body else { return [x, y, z] };
+    fn place(&self, Spot { body, at, station }: Spot) -> [f64; 3] {
+        let Some(body) = body else { return at };
+        let [x, y, z] = match (&self.scene.bodies[body].axis, station) {
+            (Some(axis), Some(station)) => axis.place(station, self.modes()),
+            _ => at,
+        };
         if self.scene.is_planar {
             let [px, py, c, s] = *self.of(body) else { return [0.0; 3] };
             return [px + c * x - s * y, py + s * x + c * y, z];
@@ -38,14 +43,27 @@ impl Moment<'_> {
         &self.pose[body * length..(body + 1) * length]
     }
 
+    fn modes(&self) -> &[f64] {
+        &self.pose[self.pose.len() - self.scene.modes.len()..]
+    }
+
+    /// What a bar or plate is drawn through, or an axis as it is bent.
     fn spots(&self, body: usize, shape: &Shape) -> Vec<[f64; 3]> {
-        let local = |at: &[f64; 3]| self.place(Spot { body: Some(body), at: *at });
+        if let Some(Axis { length, .. }) = shape.axis {
+            let bent = |station| Spot { body: Some(body), at: [0.0; 3], station: Some(station) };
+            return (0..length).map(|station| self.place(bent(station))).collect();
+        }
+        let local = |at: &[f64; 3]| self.place(fixed(body, *at));
         let mut spots: Vec<[f64; 3]> = shape.spots.iter().map(local).collect();
         if spots.len() < 2 {
-            spots.push(self.place(Spot { body: Some(body), at: [0.0; 3] }));
+            spots.push(self.place(fixed(body, [0.0; 3])));
         }
         spots
     }
+}
+
+fn fixed(body: usize, at: [f64; 3]) -> Spot {
+    Spot { body: Some(body), at, station: None }
 }
 
 /// From the world to the picture.
@@ -113,8 +131,8 @@ pub fn picture(name: &str, film: &Film, speed: f64) -> String {
     for moment in &moments {
         for (index, body) in scene.bodies.iter().enumerate() {
             points.extend(moment.spots(index, body));
-            if body.outline != "bar" {
-                let [x, y, z] = moment.place(Spot { body: Some(index), at: [0.0; 3] });
+            if !matches!(body.outline, "bar" | "beam") {
+                let [x, y, z] = moment.place(fixed(index, [0.0; 3]));
                 let r = if body.outline == "box" {
                     0.5 * body.lengths.iter().map(|x| x * x).sum::<f64>().sqrt()
                 } else {
@@ -190,6 +208,15 @@ pub fn picture(name: &str, film: &Film, speed: f64) -> String {
         }
         svg.push_str("</circle>\n");
     }
+    if scene.times != 1.0 {
+        let _ = writeln!(
+            svg,
+            "<text x=\"{}\" y=\"{}\" text-anchor=\"end\" font-family=\"sans-serif\" font-size=\"12\" fill=\"var(--ink)\">{}</text>",
+            WIDTH - 14.0,
+            HEIGHT - 14.0,
+            magnified(scene.times)
+        );
+    }
     svg.push_str("</svg>\n");
     svg
 }
@@ -221,7 +248,7 @@ fn rim(wheel: &Wheel, count: u32) -> impl Iterator<Item = Spot> {
     (0..count).map(move |k| {
         let (sin, cos) = (f64::from(k) * std::f64::consts::TAU / f64::from(count)).sin_cos();
         let at = [0, 1, 2].map(|k| center.at[k] + radius * (cos * first[k] + sin * second[k]));
-        Spot { body: center.body, at }
+        Spot { at, ..center }
     })
 }
 
@@ -260,7 +287,7 @@ fn shapes(paths: &mut Vec<Moving>, eye: &Eye, moments: &[Moment], index: usize, 
     if let Some(rim) = rims {
         let style = format!("fill=\"{hue}\" fill-opacity=\"0.2\" stroke=\"var(--ink)\" stroke-width=\"1.4\"");
         let frame = |moment: &Moment| {
-            let spot = |at: [f64; 3]| eye.spot(moment.place(Spot { body: Some(index), at }));
+            let spot = |at: [f64; 3]| eye.spot(moment.place(fixed(index, at)));
             if moment.scene.is_planar && body.outline != "box" {
                 return circle(spot([0.0; 3]), spot(rim[0]));
             }
@@ -279,10 +306,10 @@ fn shapes(paths: &mut Vec<Moving>, eye: &Eye, moments: &[Moment], index: usize, 
     let spots = |moment: &Moment| -> Vec<[f64; 2]> {
         moment.spots(index, body).iter().map(|spot| eye.spot(*spot)).collect()
     };
-    if body.spots.iter().all(|at| at.iter().all(|x| *x == 0.0)) {
+    if body.axis.is_none() && body.spots.iter().all(|at| at.iter().all(|x| *x == 0.0)) {
         // A mass and nothing else: a dot of one size, with a radius where it turns in the plane.
         let frame = |moment: &Moment| {
-            let place = |at: [f64; 3]| eye.spot(moment.place(Spot { body: Some(index), at }));
+            let place = |at: [f64; 3]| eye.spot(moment.place(fixed(index, at)));
             let center = place([0.0; 3]);
             let along =
                 if moment.scene.is_planar { place([1.0, 0.0, 0.0]) } else { [center[0] + 1.0, center[1]] };
@@ -293,8 +320,9 @@ fn shapes(paths: &mut Vec<Moving>, eye: &Eye, moments: &[Moment], index: usize, 
         paths.push(Moving { frames: moments.iter().map(frame).collect(), styles: vec![style] });
         return;
     }
-    let frames: Vec<String> =
-        moments.iter().map(|moment| path(&spots(moment), spots(moment).len() > 2)).collect();
+    let is_plate = |corners: &[[f64; 2]]| body.axis.is_none() && corners.len() > 2;
+    let outline = |corners: Vec<[f64; 2]>| path(&corners, is_plate(&corners));
+    let frames: Vec<String> = moments.iter().map(|moment| outline(spots(moment))).collect();
     let strokes = [(11.0, "var(--ink)", 1.0), (8.4, "var(--paper)", 1.0), (8.4, hue, 0.35)];
     let styles = strokes.map(|(width, colour, opacity)| {
         format!("fill=\"none\" stroke=\"{colour}\" stroke-opacity=\"{opacity}\" stroke-width=\"{width}\"")

@@ -3,8 +3,9 @@
 //! A point of the axis at x, from the origin of the beam's frame, is at (x + Σ N_a p_a, Σ N_b p_b), Euler and Bernoulli's beam in a
 //! floating frame of reference (Shabana, *Dynamics of Multibody Systems*, 5.2–5.5; Géradin, Rixen, *Mechanical Vibrations*, 4.2). With
 //! m the mass, all integrals of the inertia are m times a constant, because mass is spread evenly. Where the axis keeps its length as it
-//! bends, places move along it too: `stiffening`.
+//! bends, places move along it too: `stiffening`. How pictures show the axis stands in `bow`.
 
+mod bow;
 mod gauss;
 mod polynomial;
 mod roots;
@@ -14,6 +15,7 @@ mod stiffening;
 #[cfg(test)]
 mod tests;
 
+pub use bow::{Bow, Held, magnification};
 pub use gauss::Rule;
 pub use shape::{Shape, Wave};
 pub use stiffening::Shortening;

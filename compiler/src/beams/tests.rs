@@ -289,3 +289,56 @@ fn quadratic_is_the_element() {
         }
     }
 }
+
+/// What joints hold stays where it is, with its direction where they hold that, and all else moves so many times as far.
+#[test]
+fn pictures_leave_joints_where_they_are() {
+    let beam = std::sync::Arc::new(slender(Shapes::Free, 0.7, 2, 4));
+    let modes = [2e-4, -1e-4, 3e-3, 2e-3, -1e-3, 5e-4];
+    let held = |share: f64, turns_with: bool| Held { x: (share - 0.5) * 0.7, turns_with };
+    for places in [vec![], vec![held(0.0, true)], vec![held(0.0, false), held(1.0, true), held(0.3, false)]] {
+        let bow = Bow::new(beam.clone(), &places);
+        for Held { x, turns_with } in &places {
+            let [one, many] = [1.0, 500.0].map(|times| bow.shown(*x, &modes, times));
+            (0..2).for_each(|axis| near(many[axis], one[axis], 1e-12));
+            let slope = |times: f64| {
+                let [a, b] = [-1e-5, 1e-5].map(|h| bow.shown((x + h).clamp(-0.35, 0.35), &modes, times));
+                (b[1] - a[1]) / (b[0] - a[0])
+            };
+            let turned = (slope(500.0) - slope(1.0)).abs();
+            assert_eq!(turned < 0.05, *turns_with, "{turned}");
+        }
+        let x = 0.7 * 0.17;
+        let [one, two, three] = [1.0, 2.0, 3.0].map(|times| bow.shown(x, &modes, times));
+        (0..2).for_each(|axis| near(three[axis] - two[axis], two[axis] - one[axis], 1e-15));
+        let real = beam.values(x).iter().zip(modes).skip(2).map(|(shape, mode)| shape * mode).sum();
+        near(one[1], real, 1e-15);
+    }
+}
+
+/// A stiffened beam is drawn in as its equations have it.
+#[test]
+fn pictures_have_what_bending_draws_in() {
+    let beam = std::sync::Arc::new(slender(Shapes::Clamped, 2.0, 0, 3).stiffened());
+    let bow = Bow::new(beam.clone(), &[Held { x: 0.0, turns_with: true }]);
+    let modes = [0.05, -0.02, 0.01];
+    let values = beam.shortenings_at(2.0);
+    let mut drawn = 0.0;
+    for j in 0..3 {
+        for k in 0..3 {
+            let pair = beam.shortenings.iter().position(|it| it.modes == (j.min(k), j.max(k))).unwrap();
+            drawn += 0.5 * values[pair] * modes[j] * modes[k];
+        }
+    }
+    near(bow.shown(2.0, &modes, 1.0)[0], 2.0 - drawn, 1e-15);
+    near(bow.deflection(&modes), 2.0 * (0.05 + 0.02 + 0.01) / 2.0, 1e-13);
+}
+
+#[test]
+fn deflections_are_magnified_by_round_numbers() {
+    for (deflection, times) in
+        [(0.0, 1.0), (1e-12, 1.0), (0.05, 1.0), (0.03, 2.0), (1e-3, 100.0), (3e-5, 2000.0)]
+    {
+        near(magnification(deflection), times, 1e-9 * times);
+    }
+}

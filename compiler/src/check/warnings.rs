@@ -298,6 +298,8 @@ fn beyond(mechanism: &Mechanism, body: &Body, place: &NamedPoint) -> Option<((&'
     let [x, y, z] = [value(&place.at[0])?, value(&place.at[1])?, value(&place.at[2])?];
     let limits = match body.form.outline {
         Outline::None => return None,
+        // What is not on the axis of a beam was refused, and its frame may be at an end.
+        _ if body.form.bends => return None,
         Outline::Bar => {
             vec![("along x", x.abs(), half("length")), ("off its axis", libm::hypot(y, z), length("radius"))]
         }

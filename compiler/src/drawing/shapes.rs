@@ -116,15 +116,18 @@ pub fn rectangle(center: Spot, e: Spot, half: f64, aside: f64) -> Vec<Spot> {
 
 /// A bar with round ends, or a plate with round corners.
 pub fn plate(group: &mut Group, corners: &[Spot], half: f64) {
-    let is_closed = corners.len() > 2;
-    group.path(corners, is_closed, Pen::Line(2.0 * half + THIN));
-    match is_closed {
-        true => group.path(corners, true, Pen::Blank(2.0 * half - THIN)),
-        false => group.path(corners, false, Pen::Erase(2.0 * half - THIN)),
+    if corners.len() < 3 {
+        return bar(group, corners, half);
     }
-    if is_closed {
-        group.path(corners, true, Pen::Tint(2.0 * half - THIN));
-    }
+    group.path(corners, true, Pen::Line(2.0 * half + THIN));
+    group.path(corners, true, Pen::Blank(2.0 * half - THIN));
+    group.path(corners, true, Pen::Tint(2.0 * half - THIN));
+}
+
+/// A bar with round ends, along any path.
+pub fn bar(group: &mut Group, path: &[Spot], half: f64) {
+    group.path(path, false, Pen::Line(2.0 * half + THIN));
+    group.path(path, false, Pen::Erase(2.0 * half - THIN));
 }
 
 /// A line with short strokes on the side of the ground.

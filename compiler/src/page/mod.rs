@@ -5,6 +5,7 @@
 //! no blank line interrupts a drawing.
 
 mod beams;
+mod bent;
 mod curves;
 mod equations;
 mod expression;
@@ -23,7 +24,7 @@ mod terms;
 mod text;
 
 use crate::compiled::Compiled;
-pub use figure::{Figure, alone};
+pub use figure::{Figure, alone, magnified};
 use sketch::Sketch;
 pub use stand::Pose;
 use std::fmt::Write;

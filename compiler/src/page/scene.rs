@@ -1,12 +1,14 @@
 //! What is drawn of a mechanism in motion: shapes, joints and loads in the axes of the bodies that they move with. Where the bodies are
-//! at a time is told by `motions`; how it looks is left to those who draw.
+//! at a time is told by `motions`, and how beams are bent by their modes; how it looks is left to those who draw.
 
+use super::bent::Bent;
 use super::sketch::{Part, Sketch};
 use super::stand::Pose;
+use crate::beams::magnification;
 use crate::compiled::Compiled;
 use crate::drawing::vector::{Point, difference, dot};
 use crate::forms::{Outline, Spans};
-use crate::model::{Frame, Load, Rotor, Space, Subject};
+use crate::model::{Expr, Frame, Load, Place, Rotor, Space, Subject};
 
 /// A point of the ground, or of a body from its centre of mass, in its axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,6 +16,8 @@ pub struct Spot {
     /// Index of the body; the ground if none.
     pub body: Option<usize>,
     pub at: Point,
+    /// Which station of its body's axis it moves with, where that bends.
+    pub station: Option<usize>,
 }
 
 /// A mechanism, to be drawn at any time.
@@ -26,19 +30,57 @@ pub struct Scene {
     pub joints: Vec<Joint>,
     pub loads: Vec<Line>,
     pub wheels: Vec<Wheel>,
+    /// Where the modes of the beams stand in q, beam after beam.
+    pub modes: Vec<usize>,
+    /// How many times as large deflections are shown.
+    pub times: f64,
+}
+
+/// The axis of a beam: the mode or two modes of each bending, multiplied, times its factors are added to the stations.
+#[derive(Clone, Debug)]
+pub struct Axis {
+    /// While it is straight, from the centre of mass, in the axes of the body; the first of them are the axis, others places on it.
+    pub stations: Vec<Point>,
+    pub length: usize,
+    pub bendings: Vec<Bending>,
+}
+
+/// What one mode, or the product of two, does.
+#[derive(Clone, Debug)]
+pub struct Bending {
+    /// Among those of the scene.
+    pub modes: Vec<usize>,
+    /// Along x or y of the body.
+    pub along: usize,
+    /// Of each station.
+    pub factors: Vec<f64>,
+}
+
+impl Axis {
+    /// A station with these modes.
+    pub fn place(&self, station: usize, modes: &[f64]) -> Point {
+        let mut at = self.stations[station];
+        for bending in &self.bendings {
+            let product: f64 = bending.modes.iter().map(|mode| modes[*mode]).product();
+            at[bending.along] += product * bending.factors[station];
+        }
+        at
+    }
 }
 
 /// A body.
 #[derive(Clone, Debug)]
 pub struct Shape {
     pub name: String,
-    /// `disk`, `ball`, `box`, or `bar` for all that is what lies between its spots.
+    /// `disk`, `ball`, `box`, `beam`, or `bar` for all that is what lies between its spots.
     pub outline: &'static str,
     /// Radius, or edges.
     pub lengths: Vec<f64>,
     /// Where something acts on it, from its centre of mass, in its axes.
     pub spots: Vec<Point>,
     pub turns: bool,
+    /// Of a beam.
+    pub axis: Option<Axis>,
 }
 
 /// A joint.
@@ -71,41 +113,109 @@ pub struct Wheel {
     pub radius: f64,
 }
 
-/// The scene with the parameters of a pose.
-pub fn scene(compiled: &Compiled, pose: &Pose) -> Scene {
+/// The scene with the parameters of a pose, and deflections so large that they are seen in one of the positions.
+pub fn scene<'q>(compiled: &Compiled, pose: &Pose, positions: impl Iterator<Item = &'q [f64]>) -> Scene {
     let sketch = Sketch::of(compiled, pose);
-    let parts = &sketch.parts;
-    let bodies = parts.iter().map(shape).collect();
-    let joints = compiled.mechanism.joints.iter().zip(&sketch.hinges).map(|(joint, hinge)| Joint {
+    let bent = Bent::of_all(compiled, &pose.q);
+    let deflection = |q: &[f64]| {
+        let beams = bent.iter().flatten().map(|it| it.deflection_at(q));
+        beams.fold(0.0, f64::max)
+    };
+    let times = magnification(positions.map(deflection).fold(0.0, f64::max));
+    let mechanism = &compiled.mechanism;
+    let mut stage = Stage { parts: &sketch.parts, places: bent.iter().map(Bends::of).collect() };
+    let joints = mechanism.joints.iter().zip(&sketch.hinges).map(|(joint, hinge)| Joint {
         name: hinge.name.clone(),
         kind: joint.form.call.word,
-        first: spot(parts, hinge.first_on, hinge.first),
-        second: spot(parts, hinge.second_on, hinge.second),
-        axis: way(parts, hinge.first_on, hinge.axis),
+        first: stage.spot(hinge.first_on, hinge.first, Some(&joint.first)),
+        second: stage.spot(hinge.second_on, hinge.second, Some(&joint.second)),
+        axis: way(&sketch.parts, hinge.first_on, hinge.axis),
         slides: matches!(hinge.form.spans, Spans::Rail | Spans::Line),
     });
-    let loads = compiled.mechanism.loads.iter().zip(&sketch.efforts).map(|(load, (_, effort))| {
-        let ends = frames(compiled, load).zip(&effort.ends).map(|(frame, end)| spot(parts, frame, end.at));
+    let joints = joints.collect();
+    let loads = mechanism.loads.iter().zip(&sketch.efforts).map(|(load, (_, effort))| {
+        let ends = frames(compiled, load).zip(&effort.ends);
+        let ends = ends.map(|((frame, place), end)| stage.spot(frame, end.at, place));
         Line { name: effort.name.clone(), kind: load.form.call.word, ends: ends.collect() }
     });
+    let loads = loads.collect();
     let wheels = sketch.wheels.iter().map(|wheel| Wheel {
         of: wheel.of.clone(),
-        center: spot(parts, wheel.on, wheel.center),
-        about: way(parts, wheel.on, wheel.about),
+        center: stage.spot(wheel.on, wheel.center, None),
+        about: way(&sketch.parts, wheel.on, wheel.about),
         radius: wheel.radius,
     });
-    Scene {
-        is_planar: sketch.space == Space::Planar,
-        up: sketch.up,
-        joints: joints.collect(),
-        loads: loads.collect(),
-        wheels: wheels.collect(),
-        bodies,
+    let wheels = wheels.collect();
+    let mut modes = Vec::new();
+    let mut bodies = Vec::new();
+    for (part, bends) in sketch.parts.iter().zip(&stage.places) {
+        let axis = bends.as_ref().map(|bends| bends.axis(modes.len(), times));
+        modes.extend(bends.iter().flat_map(|bends| &bends.bent.indices));
+        bodies.push(shape(part, axis));
+    }
+    let is_planar = sketch.space == Space::Planar;
+    Scene { is_planar, up: sketch.up, bodies, joints, loads, wheels, modes, times }
+}
+
+/// What places are found on.
+struct Stage<'s> {
+    parts: &'s [Part],
+    places: Vec<Option<Bends<'s>>>,
+}
+
+/// A beam with x of its stations.
+struct Bends<'s> {
+    bent: &'s Bent,
+    stations: Vec<f64>,
+}
+
+impl<'s> Bends<'s> {
+    fn of(bent: &'s Option<Bent>) -> Option<Self> {
+        let bent = bent.as_ref()?;
+        Some(Bends { bent, stations: bent.bow.places().collect() })
+    }
+
+    fn station(&mut self, x: f64) -> usize {
+        let known = self.stations.iter().position(|it| *it == x);
+        known.unwrap_or_else(|| {
+            self.stations.push(x);
+            self.stations.len() - 1
+        })
+    }
+
+    fn axis(&self, first: usize, times: f64) -> Axis {
+        let bow = &self.bent.bow;
+        let factors: Vec<Vec<f64>> = self.stations.iter().map(|x| bow.factors(*x, times)).collect();
+        let bendings = bow.terms().enumerate().map(|(term, (modes, along))| Bending {
+            modes: modes.iter().map(|mode| first + mode).collect(),
+            along,
+            factors: factors.iter().map(|of_station| of_station[term]).collect(),
+        });
+        Axis {
+            stations: self.stations.iter().map(|x| [*x, 0.0, 0.0]).collect(),
+            length: bow.places().count(),
+            bendings: bendings.collect(),
+        }
     }
 }
 
-fn shape(part: &Part) -> Shape {
+impl Stage<'_> {
+    /// A point of the world, or the place of a beam that it is.
+    fn spot(&mut self, frame: Frame, at: Point, place: Option<&Place>) -> Spot {
+        let Frame::Body(body) = frame else { return Spot { body: None, at, station: None } };
+        let station = match (&mut self.places[body.0], place.map(|place| &place.at[0])) {
+            (Some(bends), Some(Expr::Number(x))) => Some(bends.station(*x)),
+            _ => None,
+        };
+        let part = &self.parts[body.0];
+        let at = part.axes.map(|axis| dot(axis, difference(at, part.center)));
+        Spot { body: Some(body.0), at, station }
+    }
+}
+
+fn shape(part: &Part, axis: Option<Axis>) -> Shape {
     let outline = match (part.form.outline, part.lengths.len()) {
+        _ if axis.is_some() => "beam",
         (Outline::Disk, 1..) => "disk",
         (Outline::Ball, 1..) => "ball",
         (Outline::Box, 2..) => "box",
@@ -116,19 +226,9 @@ fn shape(part: &Part) -> Shape {
         name: part.name.clone(),
         outline,
         lengths: part.lengths.clone(),
-        spots: part.spots.iter().map(local).collect(),
+        spots: if axis.is_some() { Vec::new() } else { part.spots.iter().map(local).collect() },
         turns: part.form.turns,
-    }
-}
-
-fn spot(parts: &[Part], frame: Frame, at: Point) -> Spot {
-    match frame {
-        Frame::Ground => Spot { body: None, at },
-        Frame::Body(body) => {
-            let part = &parts[body.0];
-            let at = part.axes.map(|axis| dot(axis, difference(at, part.center)));
-            Spot { body: Some(body.0), at }
-        }
+        axis,
     }
 }
 
@@ -139,15 +239,19 @@ fn way(parts: &[Part], frame: Frame, along: Point) -> Point {
     }
 }
 
-/// What the ends of a load move with.
-fn frames(compiled: &Compiled, load: &Load) -> impl Iterator<Item = Frame> {
+/// What the ends of a load move with, and where they are on it if it bends.
+fn frames<'c>(
+    compiled: &'c Compiled,
+    load: &'c Load,
+) -> impl Iterator<Item = (Frame, Option<&'c Place>)> + 'c {
     load.on.iter().filter_map(|subject| match subject {
         Subject::Expression(..) | Subject::Touches(_) => None,
-        Subject::Place(place) => Some(place.frame),
+        Subject::Place(place) => Some((place.frame, Some(place))),
         Subject::Rotor(Rotor::Joint(joint, _)) | Subject::Travel(joint) | Subject::Bearing(joint, _) => {
-            Some(compiled.mechanism.joints[joint.0].second.frame)
+            let second = &compiled.mechanism.joints[joint.0].second;
+            Some((second.frame, Some(second)))
         }
-        Subject::Rotor(Rotor::Body(body)) | Subject::Body(body) => Some(Frame::Body(*body)),
-        Subject::Toothing(id) => Some(Frame::Body(id.body)),
+        Subject::Rotor(Rotor::Body(body)) | Subject::Body(body) => Some((Frame::Body(*body), None)),
+        Subject::Toothing(id) => Some((Frame::Body(id.body), None)),
     })
 }

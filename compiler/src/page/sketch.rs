@@ -22,6 +22,8 @@ pub struct Sketch {
     pub wheels: Vec<Wheel>,
     pub links: Vec<Link>,
     pub drives: Vec<Drive>,
+    /// How many times as large deflections of beams are shown.
+    pub times: f64,
 }
 
 /// What a constraint holds to one another: of each a place and, where it turns or travels, its axis.
@@ -62,6 +64,9 @@ pub struct Part {
     pub lengths: Vec<f64>,
     /// Where something acts on it, and its named points; no two the same.
     pub spots: Vec<Point>,
+    /// Of a beam: its axis as it is bent, and the axis of its frame where that differs from it.
+    pub axis: Vec<Point>,
+    pub straight: Option<[Point; 2]>,
     /// How many joints it has, and whether one of them draws a block in its place.
     pub joints: usize,
     pub is_block: bool,
@@ -137,7 +142,8 @@ impl Sketch {
             mechanism.loads.iter().map(|load| (loads::of(load.form), stand.effort(load, &hinges))).collect();
         let wheels = stand.wheels(&hinges);
         let (links, drives) = (stand.links(&hinges), stand.drives(&hinges));
-        Sketch { space: mechanism.space, up: stand.up(), parts, hinges, efforts, wheels, links, drives }
+        let (space, up, times) = (mechanism.space, stand.up(), stand.times);
+        Sketch { space, up, parts, hinges, efforts, wheels, links, drives, times }
     }
 }
 

@@ -1,6 +1,8 @@
 //! Numbers of the mechanism as it stands in a pose, such as its start, from which the sketch is made.
 
+use super::bent::Bent;
 use super::sketch::{Effort, Part, Wheel};
+use crate::beams::magnification;
 use crate::compiled::Compiled;
 use crate::complete::Complete;
 use crate::drawing::Hinge;
@@ -52,6 +54,10 @@ pub struct Stand<'a> {
     values: Vec<f64>,
     /// Centre and axes of each body.
     pub(super) poses: Vec<(Point, [Point; 3])>,
+    /// What bends of each body.
+    pub(super) bent: Vec<Option<Bent>>,
+    /// How many times as large deflections are shown.
+    pub times: f64,
 }
 
 impl<'a> Stand<'a> {
@@ -74,7 +80,11 @@ impl<'a> Stand<'a> {
         set(&known.v, &mut pose.v.iter().copied());
         set(&known.inputs, &mut std::iter::repeat(1.0));
         set(&known.internal, &mut pose.internal.iter().copied());
-        let mut stand = Stand { compiled, graph, symbols, values: Vec::new(), poses: Vec::new() };
+        let bent = Bent::of_all(compiled, &pose.q);
+        let deflections = bent.iter().flatten().map(Bent::deflection);
+        let times = magnification(deflections.fold(0.0, f64::max));
+        let mut stand =
+            Stand { compiled, graph, symbols, values: Vec::new(), poses: Vec::new(), bent, times };
         for motion in &equations.motions {
             let center = pad(&stand.numbers(&motion.position));
             let turned = stand.numbers(&motion.orientation);
@@ -132,9 +142,19 @@ impl<'a> Stand<'a> {
     pub fn place(&mut self, place: &Place) -> Point {
         let at = self.vector(&place.at);
         let Frame::Body(body) = place.frame else { return at };
+        if let Some(bent) = &self.bent[body.0] {
+            return self.on_axis(body.0, bent, at[0]);
+        }
         let definition = &self.compiled.mechanism.bodies[body.0];
         let center = self.vector(&definition.center);
         sum(self.poses[body.0].0, self.turned(place.frame, difference(at, center)))
+    }
+
+    /// Where a place of a beam's axis is shown.
+    fn on_axis(&self, body: usize, bent: &Bent, x: f64) -> Point {
+        let [x, y] = bent.bow.shown(x, &bent.modes, self.times);
+        let (origin, axes) = &self.poses[body];
+        sum(*origin, apply(axes, [x, y, 0.0]))
     }
 
     /// A direction in the axes of a place.
@@ -185,12 +205,24 @@ impl<'a> Stand<'a> {
             axes,
             lengths,
             spots: Vec::new(),
+            axis: Vec::new(),
+            straight: None,
             joints: 0,
             is_block: false,
         };
+        if let Some(bent) = &self.bent[index] {
+            part.axis = bent.bow.places().map(|x| self.on_axis(index, bent, x)).collect();
+            let ends = bent.bow.ends().map(|x| sum(center, apply(&axes, [x, 0.0, 0.0])));
+            part.straight = bent.is_seen(self.times).then_some(ends);
+            part.spots.clone_from(&part.axis);
+        }
         for point in &body.points {
             let at = self.vector(&point.at);
-            part.touch(sum(center, apply(&axes, difference(at, own))));
+            let at = match &self.bent[index] {
+                Some(bent) => self.on_axis(index, bent, at[0]),
+                None => sum(center, apply(&axes, difference(at, own))),
+            };
+            part.touch(at);
         }
         part
     }

@@ -6,7 +6,7 @@
 mod measure;
 
 use linkwright_compiler::model::Space;
-use linkwright_compiler::page::{Figure, Pose, drawing_at};
+use linkwright_compiler::page::{Figure, Pose, drawing_at, scene};
 use linkwright_compiler::source::{Source, invocations};
 use linkwright_compiler::{Compiled, compile};
 use std::fs;
@@ -99,4 +99,61 @@ fn what_coincides_is_drawn_apart() {
     let far = |one: &str, other: &str| measure::distance(&svg, one, other);
     assert!(far("turn", "lift") > 6.0, "{}", far("turn", "lift"));
     assert!(far("coil", "damper") > 6.0, "{}", far("coil", "damper"));
+}
+
+const BENT: &str = "planar Bent {
+    beam rod { length [mm] = 300; section = circle(diameter [mm] = 6); young [GPa] = 210; density [kg/m^3] = 7800;
+               modes = (axial = 1, bending = 3); point third [mm] = (-50, 0); }
+    joint left: revolute(ground(0, 0) [m], rod.start);
+    joint right: point_on_line(line(ground(0, 0) [m], ground(1, 0.2) [m]), rod.end);
+    spring stay: spring(ground(0.1, 0.2) [m], rod.third, stiffness [N/m] = 100, length [m] = 0.2);
+    start { rod.angle [rad] ~ 0.2; rod.bending[0] [mm] = FIRST; }
+}";
+
+/// A beam is a curve with as much of a deflection as is seen, which is said; what hangs on it hangs on the curve, and joints stay.
+#[test]
+fn beams_are_bent() {
+    let drawn = |first: &str| {
+        let source = BENT.replace("FIRST", first);
+        let compiled =
+            compile(source.parse().expect("tokens"), None).unwrap_or_else(|errors| panic!("{errors}"));
+        let Figure { svg, left_out } = drawing_at(&compiled, &Pose::start(&compiled));
+        assert_eq!((left_out, measure::overlaps(&svg)), (0, vec![]), "{first}");
+        (svg, compiled)
+    };
+    let corners = |svg: &str| {
+        let path = svg.split("<title>rod</title><path d=\"").nth(1).expect("the rod is drawn");
+        path.split('"').next().unwrap_or_default().matches('L').count()
+    };
+    for (first, times, at_least) in [("0", None, 1), ("0.5", Some(10), 40), ("1", Some(5), 40)] {
+        let (svg, compiled) = drawn(first);
+        assert!(corners(&svg) >= at_least, "{first}");
+        assert_eq!(svg.contains("<title>frame of rod</title>"), times.is_some());
+        assert_eq!(svg.contains("deflections × "), times.is_some());
+        let said = times.map(|times| svg.contains(&format!("deflections × {times}<")));
+        assert_ne!(said, Some(false), "{first}: {svg}");
+        // It begins in the hinge.
+        let after = |mark: &str, end: &[char]| {
+            let text = svg.split(mark).nth(1).unwrap_or_else(|| panic!("{mark} in {svg}"));
+            text.split(end).next().unwrap_or_default().to_string()
+        };
+        let begin = after("<title>rod</title><path d=\"M", &['L']);
+        let hinge = &svg[svg.rfind("<title>left</title>").expect("it is drawn")..];
+        let [x, y] = begin.split_once(' ').map(|(x, y)| [x, y]).expect("two numbers");
+        assert!(hinge.contains(&format!("cx=\"{x}\" cy=\"{y}\"")), "{first}: {begin}");
+        // What moves is the same curve, from the modes alone.
+        let pose = Pose::start(&compiled);
+        let scene = scene::scene(&compiled, &pose, std::iter::once(pose.q.as_slice()));
+        assert_eq!(scene.times, f64::from(times.unwrap_or(1)));
+        let modes: Vec<f64> = scene.modes.iter().map(|index| pose.q[*index]).collect();
+        let axis = scene.bodies[0].axis.as_ref().expect("it bends");
+        let [x, y] = [axis.place(axis.length - 1, &modes), axis.place(0, &modes)].map(|at| at[1]);
+        // The first shape is 2 at both ends, which joints hold.
+        let held = 2e-3 * first.parse::<f64>().expect("a number");
+        assert!((x - held).abs() < 1e-12 && (y - held).abs() < 1e-12, "{x} {y}");
+        let middle = axis.place(axis.length / 2, &modes)[1];
+        let away = 1e-3 * first.parse::<f64>().expect("a number") * (-1.215_655_6 - 2.0);
+        assert!((middle - held - scene.times * away).abs() < 1e-6 * scene.times, "{middle}");
+        assert!(scene.joints.iter().all(|joint| joint.second.station.is_some()));
+    }
 }

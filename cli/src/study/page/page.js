@@ -38,7 +38,7 @@
     const span = times[high] - times[low];
     return [low, high, span > 0 ? Math.min(1, Math.max(0, (time - times[low]) / span)) : 0];
   }
-  let pose = new Float64Array(bodies.length * numbers);
+  let pose = new Float64Array(bodies.length * numbers + data.modes);
   function stand(time) {
     const [a, b, share] = between(time);
     const [from, to] = [data.poses[a], data.poses[b]];
@@ -54,14 +54,30 @@
     const r = (k) => pose[p + 3 + 3 * k] * x + pose[p + 4 + 3 * k] * y + pose[p + 5 + 3 * k] * z;
     return [r(0), r(1), r(2)];
   }
-  function place([body, x, y, z]) {
-    const d = turned(body, x, y, z);
+  // A station of the axis of a beam, as the modes bend it.
+  function bent(body, station) {
+    const axis = bodies[body].axis, at = [...axis.stations[station]];
+    axis.bendings.forEach(({ modes, along, factors }) => {
+      at[along] += modes.reduce((product, mode) => product * pose[bodies.length * numbers + mode], factors[station]);
+    });
+    return at;
+  }
+  function place([body, x, y, z, station]) {
+    const d = turned(body, ...(station === undefined ? [x, y, z] : bent(body, station)));
     if (body < 0) return d;
     const p = body * numbers;
     return [pose[p] + d[0], pose[p + 1] + d[1], planar ? d[2] : pose[p + 2] + d[2]];
   }
   const center = (body) => place([body, 0, 0, 0]);
-  const each = (body) => bodies[body].spots.map((spot) => place([body, ...spot]));
+  const each = (body) => {
+    const { axis, spots } = bodies[body];
+    return axis ? axis.stations.slice(0, axis.length).map((_, k) => place([body, 0, 0, 0, k])) : spots.map((spot) => place([body, ...spot]));
+  };
+  // What leaves a trace: all that acts, or the ends of a beam.
+  const ends = (body) => {
+    const all = each(body);
+    return bodies[body].axis ? [all[0], all[all.length - 1]] : all.length ? all : [center(body)];
+  };
 
   // ---- the eye ------------------------------------------------------------------------------------------------
   const canvas = $("stage"), pen = canvas.getContext("2d");
@@ -90,7 +106,7 @@
         each(index).forEach(take);
         const at = center(index);
         take(at);
-        const r = body.outline === "box" ? Math.hypot(...body.lengths) / 2 : body.outline === "bar" ? 0 : body.lengths[0];
+        const r = body.outline === "box" ? Math.hypot(...body.lengths) / 2 : /bar|beam/.test(body.outline) ? 0 : body.lengths[0];
         if (r) [0, 1, 2].forEach((axis) => [-r, r].forEach((d) => take(at.map((x, j) => (j === axis && !(planar && j === 2) ? x + d : x)))));
       });
       data.joints.forEach((joint) => take(place(joint.second)));
@@ -158,8 +174,8 @@
   }
   let ink = {};
   const hue = (index) => ink[`series${index % 6}`];
-  function plate(points, width, colour) {
-    trace(points, points.length > 2);
+  function plate(points, width, colour, closed = points.length > 2) {
+    trace(points, closed);
     pen.lineJoin = pen.lineCap = "round";
     pen.strokeStyle = ink.ink;
     pen.lineWidth = width + 2;
@@ -167,10 +183,10 @@
     pen.strokeStyle = pen.fillStyle = ink.paper;
     pen.lineWidth = width;
     pen.stroke();
-    if (points.length > 2) pen.fill();
+    if (closed) pen.fill();
     pen.globalAlpha = 0.3;
     pen.strokeStyle = pen.fillStyle = colour;
-    if (points.length > 2) {
+    if (closed) {
       pen.fill();
     } else {
       pen.stroke();
@@ -244,6 +260,11 @@
             for (let k = 0; k < 8; k++) [1, 2, 4].forEach((bit) => { if (!(k & bit)) line([spot(corner[k]), spot(corner[k | bit])], ink.faint, 0.8); });
           }
         });
+      }
+      if (body.axis) {
+        const [from, to] = [0, body.axis.length - 1].map((k) => spot(place([index, ...body.axis.stations[k]])));
+        if (data.magnified) add(0, depth(at), () => line([from, to], ink.muted, 1, [9, 3, 2, 3]));
+        add(2, depth(at), () => plate(spots.map(spot), 1.9 * view.unit, colour, false));
       }
       const from = body.outline === "bar" ? (spots.length > 1 ? spots : [...spots, at]) : [];
       const corners = hull(from.map(spot));
@@ -352,11 +373,11 @@
   const traced = () => {
     // The corners of each body, from sample to sample.
     const stride = Math.max(1, Math.floor(times.length / 400));
-    bodies.forEach((body, index) => {
-      const paths = (body.spots.length ? body.spots : [[0, 0, 0]]).map(() => []);
+    bodies.forEach((_, index) => {
+      const paths = [];
       for (let k = 0; k <= last; k += stride) {
         pose.set(data.poses[k]);
-        (body.spots.length ? each(index) : [center(index)]).forEach((at, which) => paths[which].push(spot(at)));
+        ends(index).forEach((at, which) => (paths[which] ||= []).push(spot(at)));
       }
       pen.globalAlpha = 0.55;
       paths.forEach((path) => line(path, hue(index), 1.1));
@@ -429,6 +450,7 @@
       pen.fillStyle = ink.muted;
       pen.fillText(name, tip[0] + 3, tip[1] + 3);
     });
+    if (data.magnified) pen.fillText(data.magnified, view.width - 14 - pen.measureText(data.magnified).width, view.height - 12);
   }
 
   // ---- plots --------------------------------------------------------------------------------------------------

@@ -1,5 +1,6 @@
 //! The drawing of a mechanism at its start, as SVG: in the plane to scale, in space along a fixed direction.
 
+mod beam;
 mod drives;
 mod hinges;
 mod labels;
@@ -48,6 +49,8 @@ struct Drawing {
     labels: Vec<Label>,
     /// Texts that are no names of parts.
     texts: Vec<Area>,
+    /// How many times as large deflections are.
+    times: f64,
 }
 
 /// A drawing, and how many names found no place in it.
@@ -59,7 +62,9 @@ pub struct Figure {
 pub fn figure(name: &str, sketch: &Sketch) -> Figure {
     let view = View::of(sketch.space, sketch.up, &extent(sketch), names(sketch));
     let unit = unit(&view, sketch);
-    let mut drawing = Drawing { view, unit, groups: Vec::new(), labels: Vec::new(), texts: Vec::new() };
+    let times = sketch.times;
+    let mut drawing =
+        Drawing { view, unit, groups: Vec::new(), labels: Vec::new(), texts: Vec::new(), times };
     for part in &sketch.parts {
         parts::part(&mut drawing, part);
     }
@@ -233,8 +238,31 @@ impl Drawing {
         );
         let half = [length * scale / 2.0 + 4.0, 16.0];
         self.texts.push(Area { center: [middle[0], middle[1] - 4.0], half });
+        if self.times != 1.0 {
+            svg.push_str(&self.magnified());
+        }
         svg
     }
+}
+
+impl Drawing {
+    /// That deflections are not to scale, above the scale.
+    fn magnified(&mut self) -> String {
+        let text = magnified(self.times);
+        let half = labels::width(&text, false) * 11.0 / 2.0;
+        let center = [self.view.width - 18.0 - half, self.view.height - 44.0];
+        self.texts.push(Area { center, half: [half, 8.0] });
+        format!(
+            "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\" fill=\"currentColor\" font-size=\"11\">{text}</text>\n",
+            number(center[0]),
+            number(center[1] + 4.0)
+        )
+    }
+}
+
+/// What a picture says of deflections that it shows so many times as large.
+pub fn magnified(times: f64) -> String {
+    format!("deflections × {times}")
 }
 
 /// A round length of about a hundred pixels, m, and how it is called.
