@@ -114,7 +114,7 @@ linkwright::mechanism! {
                 grain.center.x [m] = 3; grain.center.y [m] = 0.1; grain.center.z [m] = 0.1;
                 hinge.angle [rad] = 0.8; hinge.rate [rad/s] = -1; ball.rate.x [rad/s] = 2; marble.rate.z [rad/s] = -1; coin.rate.z [rad/s] = 3;
                 coin.center.velocity.x [m/s] = 0.5; block.rate.y [rad/s] = 0.4; grain.center.velocity.y [m/s] = 1; }
-        options { emit = (penalty, projection, null_space, tangent); }
+        options { emit = (penalty, projection, null_space); }
         output slid_x [m/s] = rolls.sliding.x;
         output poked_z [m/s] = pokes.sliding.z;
         output fell_y [m/s] = falls.sliding.y;
