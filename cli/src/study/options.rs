@@ -38,8 +38,22 @@ impl Command {
     /// The options that it has.
     fn options(self) -> &'static [&'static str] {
         match self {
-            Command::Run | Command::Plot => &[
+            Command::Run => &[
                 "mechanism",
+                "for",
+                "step",
+                "every",
+                "formulation",
+                "integrator",
+                "set",
+                "input",
+                "show",
+                "out",
+                "json",
+            ],
+            Command::Plot => &[
+                "mechanism",
+                "against",
                 "for",
                 "step",
                 "every",
@@ -125,6 +139,7 @@ Plots what a run shows over time, as SVG: a panel for each quantity.
 usage: linkwright plot [options] FILE
 
   --show LIST             of outputs, inputs, energy, residual, reactions (sizes of forces), efforts; outputs if it is not given
+  --against NAME          a quantity along the horizontal axis, in place of the time
   --every DURATION        between samples; 600 of them if it is not given
   --out FILE              in place of standard output
   --json                  for machines: the picture as a field
@@ -197,6 +212,8 @@ pub struct Study {
     pub over: Vec<Over>,
     pub measures: Vec<String>,
     pub show: Option<Vec<Group>>,
+    /// The quantity along the horizontal axis of a plot; the time if none.
+    pub against: Option<String>,
     pub out: Option<PathBuf>,
     /// A picture in place of a page.
     pub svg: bool,
@@ -231,6 +248,7 @@ pub fn parse(
         over: Vec::new(),
         measures: Vec::new(),
         show: None,
+        against: None,
         out: None,
         svg: false,
         speed: 1.0,
@@ -272,6 +290,7 @@ pub fn parse(
         let text = value.to_string_lossy().into_owned();
         let with_name = |error: String| format!("--{option}: {error}");
         match option.as_str() {
+            "against" => study.against = Some(text),
             "mechanism" => study.mechanism = Some(text),
             "for" => course.duration = seconds(&text).map_err(with_name)?,
             "step" => course.step = seconds(&text).map_err(with_name)?,

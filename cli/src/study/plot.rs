@@ -1,6 +1,8 @@
-//! `linkwright plot`: what a run shows over time, as SVG: a panel for each quantity, never two on one axis.
+//! `linkwright plot`: what a run shows over time, or against another quantity, as SVG: a panel for each quantity, never two on one
+//! axis.
 
 use super::animate::{Curve, Film, film};
+use super::expression::unknown;
 use super::options::Study;
 use super::record::Group;
 use super::{Done, Failure, Loaded, short, write};
@@ -15,7 +17,7 @@ const LEFT: f64 = 74.0;
 const RIGHT: f64 = 16.0;
 const TITLE: f64 = 22.0;
 const FOOT: f64 = 8.0;
-/// Below all of them, for the times.
+/// Below all of them, for the numbers and the name of the horizontal axis.
 const BELOW: f64 = 34.0;
 
 /// The command.
@@ -32,7 +34,12 @@ pub fn plot(study: &Study, loaded: &Loaded) -> Result<Done, Failure> {
         let names: Vec<&str> = groups.iter().map(|group| group.text()).collect();
         return Err(Failure::Usage(format!("--show {}: {} has none", names.join(","), loaded.name)));
     }
-    let svg = picture(&loaded.name, &film, &curves);
+    let axis = match &study.against {
+        None => Axis { name: "time", unit: "s", values: &film.run.trajectory.times },
+        Some(wanted) => Axis::of(&film, wanted)?,
+    };
+    let curves: Vec<&Curve> = curves.into_iter().filter(|curve| curve.name != axis.name).collect();
+    let svg = picture(&loaded.name, &axis, &curves);
     let stopped = film.run.stopped.as_ref().map(|error| error.to_string());
     if study.json {
         if let Some(out) = &study.out {
@@ -52,26 +59,80 @@ pub fn plot(study: &Study, loaded: &Loaded) -> Result<Done, Failure> {
     })
 }
 
-fn picture(name: &str, film: &Film, curves: &[&Curve]) -> String {
-    let times = &film.run.trajectory.times;
-    let height = HEIGHT * curves.len() as f64 + BELOW;
+/// What lies along the horizontal axis.
+struct Axis<'f> {
+    name: &'f str,
+    unit: &'f str,
+    values: &'f [f64],
+}
+
+impl<'f> Axis<'f> {
+    /// The quantity of a name.
+    fn of(film: &'f Film, wanted: &str) -> Result<Axis<'f>, Failure> {
+        // Titles have spaces in place of the underscores of names.
+        let written = |curve: &Curve| curve.name.replace(' ', "_");
+        let found = film.curves.iter().find(|curve| curve.name == wanted || written(curve) == wanted);
+        let Some(Curve { name, unit, values, .. }) = found else {
+            let names: Vec<String> = film.curves.iter().map(written).collect();
+            let names = names.iter().map(String::as_str);
+            return Err(Failure::Usage(unknown("--against: there is no quantity", wanted, names)));
+        };
+        Ok(Axis { name, unit, values })
+    }
+
+    fn label(&self) -> String {
+        format!("{}, {}", self.name, typeset(self.unit))
+    }
+
+    /// Least and most of what is finite.
+    fn range(&self) -> (f64, f64) {
+        let finite = || self.values.iter().copied().filter(|value| value.is_finite());
+        let (least, most) =
+            (finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max));
+        if least > most { (0.0, 1.0) } else { (least, most.max(least + 1e-12)) }
+    }
+
+    /// The height of a panel: a length against a length is to scale, as the way of a point has to be.
+    fn height(&self, curve: &Curve) -> f64 {
+        if self.unit != curve.unit || !["m", "cm", "mm"].contains(&self.unit) {
+            return HEIGHT;
+        }
+        let (least, most) = self.range();
+        let finite = || curve.values.iter().copied().filter(|value| value.is_finite());
+        let upward = finite().fold(f64::NEG_INFINITY, f64::max) - finite().fold(f64::INFINITY, f64::min);
+        // As in `panel`: six hundredths on either side.
+        let inner = 1.12 * upward * (WIDTH - LEFT - RIGHT) / (most - least);
+        if inner.is_finite() { inner.clamp(60.0, 1200.0) + TITLE + 4.0 + FOOT } else { HEIGHT }
+    }
+}
+
+/// A unit as it is printed.
+fn typeset(unit: &str) -> String {
+    unit.replace('*', "·").replace("^2", "²").replace("^3", "³")
+}
+
+fn picture(name: &str, axis: &Axis, curves: &[&Curve]) -> String {
+    let heights: Vec<f64> = curves.iter().map(|curve| axis.height(curve)).collect();
+    let height = heights.iter().sum::<f64>() + BELOW;
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" viewBox=\"0 0 {WIDTH} {height}\" width=\"{WIDTH}\" height=\"{height}\" \
-         font-family=\"sans-serif\" font-size=\"12\">\n<title>{} over time</title>\n\
+         font-family=\"sans-serif\" font-size=\"12\">\n<title>{} {} {}</title>\n\
          <style>svg{{--ink:#1b2330;--muted:#586373;--grid:#e3e7ed;--line:#1f6fd1;--paper:#fff}}\
          @media(prefers-color-scheme:dark){{svg{{--ink:#e4e9f0;--muted:#9aa7b8;--grid:#2a323e;--line:#62a5f5;--paper:#12161d}}}}\
          text{{fill:var(--muted)}}.title{{fill:var(--ink);font-weight:600}}.grid{{stroke:var(--grid)}}</style>\n\
          <rect width=\"{WIDTH}\" height=\"{height}\" fill=\"var(--paper)\"/>\n",
-        escaped(name)
+        escaped(name),
+        if axis.name == "time" { "over" } else { "against" },
+        escaped(axis.name)
     );
-    let (begin, end) =
-        (times.first().copied().unwrap_or_default(), times.last().copied().unwrap_or_default());
+    let (begin, end) = axis.range();
     let span = (end - begin).max(1e-12);
     let across = |time: f64| LEFT + (WIDTH - LEFT - RIGHT) * (time - begin) / span;
-    for (index, curve) in curves.iter().enumerate() {
-        panel(&mut svg, curve, times, index as f64 * HEIGHT, &across);
+    let mut foot = 0.0;
+    for (curve, height) in curves.iter().zip(heights) {
+        panel(&mut svg, curve, axis.values, (foot, height), &across);
+        foot += height;
     }
-    let foot = HEIGHT * curves.len() as f64;
     for time in ticks(begin, end, 5.0) {
         let x = across(time);
         let _ = writeln!(
@@ -83,9 +144,10 @@ fn picture(name: &str, film: &Film, curves: &[&Curve]) -> String {
     }
     let _ = writeln!(
         svg,
-        "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\">time, s</text>\n</svg>",
+        "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{}</text>\n</svg>",
         (LEFT + WIDTH - RIGHT) / 2.0,
-        foot + 28.0
+        foot + 28.0,
+        escaped(&axis.label())
     );
     svg
 }
@@ -99,7 +161,13 @@ fn is_logarithmic(curve: &Curve) -> bool {
     curve.group == Group::Residual && curve.values.iter().any(|value| *value > 0.0)
 }
 
-fn panel(svg: &mut String, curve: &Curve, times: &[f64], top: f64, across: &impl Fn(f64) -> f64) {
+fn panel(
+    svg: &mut String,
+    curve: &Curve,
+    along: &[f64],
+    (top, height): (f64, f64),
+    across: &impl Fn(f64) -> f64,
+) {
     let finite = || curve.values.iter().filter(|value| value.is_finite()).map(|value| scaled(curve, *value));
     let (mut least, mut most) =
         (finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max));
@@ -117,9 +185,9 @@ fn panel(svg: &mut String, curve: &Curve, times: &[f64], top: f64, across: &impl
         let by = 0.06 * (most - least);
         (least, most) = (least - by, most + by);
     }
-    let (above, below) = (top + TITLE + 4.0, top + HEIGHT - FOOT);
+    let (above, below) = (top + TITLE + 4.0, top + height - FOOT);
     let upward = |value: f64| below - (below - above) * (value - least) / (most - least);
-    let unit = curve.unit.replace('*', "·").replace("^2", "²").replace("^3", "³");
+    let unit = typeset(&curve.unit);
     let _ = writeln!(
         svg,
         "<text class=\"title\" x=\"{LEFT}\" y=\"{:.1}\">{}, {}</text>",
@@ -148,12 +216,13 @@ fn panel(svg: &mut String, curve: &Curve, times: &[f64], top: f64, across: &impl
     }
     let mut path = String::new();
     let mut is_down = false;
-    for (time, value) in times.iter().zip(&curve.values) {
-        if value.is_finite() {
+    for (at, value) in along.iter().zip(&curve.values) {
+        let is_known = value.is_finite() && at.is_finite();
+        if is_known {
             let word = if is_down { 'L' } else { 'M' };
-            let _ = write!(path, "{word}{:.1} {:.1}", across(*time), upward(scaled(curve, *value)));
+            let _ = write!(path, "{word}{:.1} {:.1}", across(*at), upward(scaled(curve, *value)));
         }
-        is_down = value.is_finite();
+        is_down = is_known;
     }
     let _ = writeln!(
         svg,
