@@ -191,7 +191,7 @@ pub(crate) fn holds_nothing() -> String {
 
 pub(crate) fn held_in_c() -> String {
     "the functions in C take whole steps and locate no touch within them, so that held gates would open and close late: write \
-     `contact = live`, or leave `export_c` out"
+     `contact = live`"
         .to_string()
 }
 

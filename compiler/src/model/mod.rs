@@ -434,6 +434,8 @@ pub struct Options {
     pub friction_passes: Option<usize>,
     /// Whether gates of contacts are held within a step.
     pub held: bool,
+    /// Where that is said.
+    pub held_at: Option<Region>,
     /// Whether principal moments may be those of no real body, as in some published data.
     pub accept_inertia: bool,
     /// Joints that the spanning tree must not use.

@@ -24,6 +24,7 @@ impl<'d> Lowering<'d> {
         let mut emit = Emit::default();
         let (mut self_check, mut export_c, mut friction_passes) = (None, None, None);
         let held = self.holds_gates();
+        let mut held_at = None;
         for entry in &self.definition.options {
             match entry {
                 OptionEntry::Coordinates(word) => {
@@ -57,6 +58,7 @@ impl<'d> Lowering<'d> {
                 OptionEntry::ExportC(word) => export_c = Scalar::named(&word.text),
                 OptionEntry::FrictionPasses(passes, _) => friction_passes = Some(*passes),
                 OptionEntry::Contact(word) => {
+                    held_at = held.then_some(word.region);
                     if held && self.definition.contacts.is_empty() {
                         self.diagnostics.error(word.region, messages::holds_nothing());
                     }
@@ -78,6 +80,7 @@ impl<'d> Lowering<'d> {
             redundant,
             friction_passes,
             held,
+            held_at,
             accept_inertia,
             cut,
             independent,
