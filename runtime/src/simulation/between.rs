@@ -104,7 +104,9 @@ where
         let mut events = 0;
         while self.is_under_way(&course) {
             match self.run.state.gates.as_slice().is_empty() {
-                true => drop(self.advance_along(&mut course)?),
+                true => {
+                    self.advance_along(&mut course)?;
+                }
                 // Up to a touch or release, beyond which no extension leads.
                 false => self.advance_piece(&mut course, &mut events)?,
             }
