@@ -306,6 +306,7 @@ fn errors_have_codes_and_texts() {
         StepError::Breakdown,
         StepError::Diverged,
         StepError::OtherModel,
+        StepError::HeldGates,
     ];
     for (index, error) in all.into_iter().enumerate() {
         assert_eq!(usize::from(error.code()), index + 1);

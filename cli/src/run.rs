@@ -105,10 +105,13 @@ impl<'j> Run<'j> {
                 Some(("explanation", json::explanation(&explanation)))
             }),
             Command::Export => {
-                compiled_with(found, self.job.coordinates, &["projection"]).map(|(_, compiled)| {
+                compiled_with(found, self.job.coordinates, &["projection"]).and_then(|(_, compiled)| {
+                    if let Some(refused) = export::refused(&compiled) {
+                        return Err(found.tokens.locate(refused));
+                    }
                     warn(&compiled);
                     let files = export::c(&compiled, self.job.scalar);
-                    Some(("exported", self.write(&files, place(found))))
+                    Ok(Some(("exported", self.write(&files, place(found)))))
                 })
             }
             Command::Counts => counts(found, name.as_deref(), self.job.coordinates).map(|rows| {

@@ -1,8 +1,8 @@
 //! A mechanism after all stages but the last: what the self-check, budgets, pages and back ends start from.
 
 use crate::check::Blow;
-use crate::check::assemble::Assembly;
 use crate::check::assemble::loose::{self, Loose};
+use crate::check::assemble::{Assembly, Point};
 use crate::check::motion::{self, Linkage, Motion, Reflected, Unswept};
 use crate::choice::Choice;
 use crate::complete::Complete;
@@ -58,8 +58,10 @@ impl Compiled {
             Shape::Positions => equations.layout.positions(),
             Shape::Velocities => equations.layout.velocities(),
             Shape::Internal => mechanism.states.len(),
+            Shape::Gates => equations.guards.len(),
             Shape::State => {
-                equations.layout.positions() + equations.layout.velocities() + mechanism.states.len()
+                let moved = equations.layout.positions() + equations.layout.velocities();
+                moved + mechanism.states.len() + equations.guards.len()
             }
             Shape::Rows => equations.rows.len(),
             Shape::Matrix(matrix) => matrix.places(complete).count(),
@@ -105,6 +107,13 @@ impl Compiled {
                 None => None,
             }
         })
+    }
+
+    /// The gates of contacts at the start, for the default parameters.
+    pub fn start_gates(&self) -> Vec<f64> {
+        let equations = &self.complete.equations;
+        let mut point = Point::at_start(&self.mechanism, equations, &self.assembly);
+        point.gates()
     }
 
     /// The function that formulations with Baumgarte's terms ask first.

@@ -100,10 +100,14 @@ pub enum Lint {
     Teeth,
     /// A contact that is closed at the start: an error, unless it is allowed.
     Penetration,
+    /// A beam that is thick, or whose shapes do not suit what holds it.
+    Slender,
+    /// A beam without stiffening that turns fast or is pressed together.
+    Stiffening,
 }
 
 impl Lint {
-    pub const ALL: [Lint; 12] = [
+    pub const ALL: [Lint; 14] = [
         Self::Unused,
         Self::NoEffect,
         Self::Outside,
@@ -116,6 +120,8 @@ impl Lint {
         Self::OutsideTable,
         Self::Teeth,
         Self::Penetration,
+        Self::Slender,
+        Self::Stiffening,
     ];
 
     /// As in `#[allow(unused)]`.
@@ -133,6 +139,8 @@ impl Lint {
             Self::OutsideTable => "outside_table",
             Self::Teeth => "teeth",
             Self::Penetration => "penetration",
+            Self::Slender => "slender",
+            Self::Stiffening => "stiffening",
         }
     }
 }

@@ -147,6 +147,7 @@ pub fn compile_model(
     let growing = check::unstable(&mechanism, &equations, &solved, &assembly);
     check::unstable_states(&mechanism, &growing, &mut warnings);
     check::beyond_tables(&mechanism, &equations, &assembly, &mut warnings);
+    check::unstiffened(&mechanism, &equations, &solved, &assembly, &mut warnings);
     check::cords(&mechanism, &equations, &solved, &assembly, &mut errors);
     check::contacts(&mechanism, &equations, &assembly, &mut errors, &mut warnings);
     let blows = check::contact_times(&mechanism, &equations, &assembly, &mut errors);

@@ -98,7 +98,7 @@ impl<'m, M: Assemble<f64>, S, D> Equations<'m, M, S, D> {
     /// The state that `y` holds, orientations of length one; nothing if `y` has not as many entries as the equations.
     pub fn state(&self, y: &NalgebraVec<f64>) -> Option<StateOf<M>> {
         let y = y.clone_as_vec();
-        (y.len() == self.length()).then(|| self.state_of(&y))
+        (y.len() == self.length()).then(|| self.state_of(self.start_time, &y))
     }
 
     /// The y that holds a state.
@@ -125,11 +125,14 @@ impl<'m, M: Assemble<f64>, S, D> Equations<'m, M, S, D> {
         coordinates::positions(model.layout()) + model.velocity_count() + self.start.z.as_slice().len()
     }
 
-    pub(crate) fn state_of(&self, y: &[f64]) -> StateOf<M> {
+    pub(crate) fn state_of(&self, time: f64, y: &[f64]) -> StateOf<M> {
         let model = self.model;
         let [q, v, z] = parts(model, y);
         let q = coordinates::from_entries(model.layout(), &self.start.q, q);
-        State { q, v: vector(v), z: vector(z), gates: self.start.gates.clone() }
+        let mut state = State { q, v: vector(v), z: vector(z), gates: self.start.gates.clone() };
+        // y has no gates: they are those of the state.
+        state.gates = model.live_gates(time, &state);
+        state
     }
 
     fn entries_of(&self, state: &StateOf<M>) -> Vec<f64> {
@@ -214,7 +217,7 @@ where
         let [to_q, to_v, to_z] = parts_mut(model, to);
         coordinates::entries_along(model.layout(), q, v, to_q);
         coordinates::add_pull(model.layout(), self.length_rate, q, to_q);
-        let derivative = self.derivative(time, &self.state_of(y));
+        let derivative = self.derivative(time, &self.state_of(time, y));
         to_v.copy_from_slice(derivative.a.as_slice());
         to_z.copy_from_slice(derivative.z.as_slice());
         if to.iter().any(|rate| !rate.is_finite()) {
@@ -248,7 +251,7 @@ where
     }
 
     fn at(&self, time: f64, y: &[f64]) -> Option<D::At> {
-        D::at(self, time, &self.state_of(y))
+        D::at(self, time, &self.state_of(time, y))
     }
 }
 

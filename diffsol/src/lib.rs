@@ -55,7 +55,7 @@
 //! | quaternion p | w, x, y, z | ½ p ⊗ (0, ω) + κ/2 (1 − p·p) p |
 //! | multi-turn angle | the angle less the whole turns it had at the start | Σ weight v |
 //!
-//! then v, with v̇ of M v̇ + Dᵀ λ = Q, D v̇ = γ − 2α (D v − ν) − β² Φ, then z with its own ż; gates stay as they start. v̇ is evaluated with the orientations brought to length
+//! then v, with v̇ of M v̇ + Dᵀ λ = Q, D v̇ = γ − 2α (D v − ν) − β² Φ, then z with its own ż; gates that a definition holds are live, those of each state. v̇ is evaluated with the orientations brought to length
 //! one, so a length that has drifted by the solver's error changes nothing else; [`Settings::length_rate`] is κ. States that
 //! are given back have length one. They satisfy the constraints to the solver's tolerance and as Baumgarte's terms keep
 //! them, not to rounding: `model.project(time, &state)` brings them there.

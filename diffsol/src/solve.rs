@@ -52,7 +52,7 @@ where
         return Ok(states);
     }
     let show = |y: &NalgebraVec<f64>, _: Option<&NalgebraVec<f64>>, time| {
-        states.push(finite(equations.model(), time, equations.state_of(&y.clone_as_vec()))?);
+        states.push(finite(equations.model(), time, equations.state_of(time, &y.clone_as_vec()))?);
         Ok(())
     };
     let march = March { times: later, most_steps: equations.most_steps, show };
@@ -96,7 +96,7 @@ where
     }
     let show = |y: &NalgebraVec<f64>, motions: Option<&NalgebraVec<f64>>, time| {
         let y = y.clone_as_vec();
-        states.push(finite(equations.model(), time, equations.state_of(&y))?);
+        states.push(finite(equations.model(), time, equations.state_of(time, &y))?);
         // One lane for each parameter.
         let motions = motions.map_or(Vec::new(), |motions| motions.clone_as_vec());
         let of = |motion| {

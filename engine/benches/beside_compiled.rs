@@ -34,7 +34,7 @@ where
         q: list(start.q.as_slice()),
         v: list(start.v.as_slice()),
         z: list(start.z.as_slice()),
-        gates: (),
+        gates: list(&[]),
     };
     let none = vec![0.0; engine.input_names().len()];
     let u = {

@@ -141,12 +141,13 @@ impl<D: 'static> Assemble<f64> for Engine<D> {
     ) -> f64 {
         match store {
             Store::Own(kept) if self.has(Function::System) => {
-                let [time, q, v, z, u] = given(&time, state, u);
+                let [time, q, v, z, gates, u] = given(&time, state, u);
                 let given = [
                     time,
                     q,
                     v,
                     z,
+                    gates,
                     u,
                     (TwoAlpha, from_ref(&two_alpha)),
                     (BetaSquared, from_ref(&beta_squared)),
@@ -209,7 +210,9 @@ impl<D: 'static> Assemble<f64> for Engine<D> {
         self.call(Function::StartInternal, &[], &mut [internal.as_mut_slice()]);
         internal
     }
-    fn start_gates(&self) {}
+    fn start_gates(&self) -> List {
+        List::of(&self.shared.tables.start_gates)
+    }
     fn fix_phases(&mut self, q: &List) {
         if self.shared.tables.open.is_empty() {
             return;

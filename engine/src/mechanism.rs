@@ -2,7 +2,7 @@
 
 use crate::{Engine, List, Numbers};
 use linkwright_compiler::functions::Argument::{
-    Acceleration, BetaSquared, Inputs, Lambda, Q, Time, TwoAlpha, V, Z,
+    Acceleration, BetaSquared, Gates, Inputs, Lambda, Q, Time, TwoAlpha, V, Z,
 };
 use linkwright_compiler::functions::{Argument, Function};
 use linkwright_runtime::{Layout, Mechanism, Row, StateOf, Variables, Vector, unwrap_angle};
@@ -18,21 +18,22 @@ impl<D: 'static> Variables<f64> for Engine<D> {
     type Q = List;
     type V = List;
     type Z = List;
-    type Gates = ();
+    type Gates = List;
     type Lambda = List;
 }
 
 /// Time, state and inputs as arguments.
 pub fn given<'a>(
     time: &'a f64,
-    state: &'a linkwright_runtime::State<List, List, List>,
+    state: &'a linkwright_runtime::State<List, List, List, List>,
     u: &'a Numbers,
-) -> [(Argument, &'a [f64]); 5] {
+) -> [(Argument, &'a [f64]); 6] {
     [
         (Time, from_ref(time)),
         (Q, state.q.as_slice()),
         (V, state.v.as_slice()),
         (Z, state.z.as_slice()),
+        (Gates, state.gates.as_slice()),
         (Inputs, u.as_slice()),
     ]
 }
@@ -116,9 +117,20 @@ impl<D: 'static> Mechanism<f64> for Engine<D> {
         self.call(Function::KineticEnergy, &given, &mut [])
     }
     fn potential_energy(&self, time: f64, state: &StateOf<Self>) -> f64 {
-        let state = [(Q, state.q.as_slice()), (V, state.v.as_slice()), (Z, state.z.as_slice())];
-        let [q, v, z] = state;
-        self.call(Function::PotentialEnergy, &[(Time, from_ref(&time)), q, v, z], &mut [])
+        let [q, v] = [(Q, state.q.as_slice()), (V, state.v.as_slice())];
+        let [z, gates] = [(Z, state.z.as_slice()), (Gates, state.gates.as_slice())];
+        self.call(Function::PotentialEnergy, &[(Time, from_ref(&time)), q, v, z, gates], &mut [])
+    }
+    fn gate_names(&self) -> &[&'static str] {
+        self.shared.tables.gates
+    }
+    fn guards(&self, time: f64, state: &StateOf<Self>, gaps: &mut List, forces: &mut List) {
+        if !self.gate_names().is_empty() {
+            let [q, v] = [(Q, state.q.as_slice()), (V, state.v.as_slice())];
+            let [z, gates] = [(Z, state.z.as_slice()), (Gates, state.gates.as_slice())];
+            let given = [(Time, from_ref(&time)), q, v, z, gates];
+            self.call(Function::Guards, &given, &mut [gaps.as_mut_slice(), forces.as_mut_slice()]);
+        }
     }
     fn acceleration(
         &self,
@@ -269,8 +281,8 @@ impl<D: 'static> Engine<D> {
         lambda: &List,
         out: &mut [&mut [f64]],
     ) {
-        let [time, q, v, z, u] = given(&time, state, u);
-        let given = [time, q, v, z, u, (Acceleration, a.as_slice()), (Lambda, lambda.as_slice())];
+        let [time, q, v, z, gates, u] = given(&time, state, u);
+        let given = [time, q, v, z, gates, u, (Acceleration, a.as_slice()), (Lambda, lambda.as_slice())];
         self.call(function, &given, out);
     }
 }

@@ -51,8 +51,8 @@ impl<D: 'static> Engine<D> {
     /// M a − Q.
     pub fn inverse_dynamics(&self, time: f64, state: &StateOf<Self>, u: &Numbers, a: &List) -> List {
         let mut forces = self.results(Function::InverseDynamics);
-        let [time, q, v, z, u] = given(&time, state, u);
-        let given = [time, q, v, z, u, (Acceleration, a.as_slice())];
+        let [time, q, v, z, gates, u] = given(&time, state, u);
+        let given = [time, q, v, z, gates, u, (Acceleration, a.as_slice())];
         self.call(Function::InverseDynamics, &given, &mut [forces.as_mut_slice()]);
         forces
     }

@@ -21,6 +21,9 @@ pub struct Tables {
     pub positions: &'static [&'static str],
     pub velocities: &'static [&'static str],
     pub internal: &'static [&'static str],
+    /// The contact of each gate that is held, and the gates at the start.
+    pub gates: &'static [&'static str],
+    pub start_gates: Vec<f64>,
     pub internal_scales: Vec<f64>,
     pub inputs: &'static [&'static str],
     pub outputs: &'static [&'static str],
@@ -95,6 +98,8 @@ impl Tables {
                 .collect(),
             positions: names::list(equations.layout.position_names(mechanism)),
             velocities: names::list(equations.layout.velocity_names(mechanism)),
+            gates: names_of(mechanism.gates().map(|(load, _)| &mechanism.loads[load.0].name).collect()),
+            start_gates: compiled.start_gates(),
             internal: names_of(states.iter().map(|state| &state.name).collect()),
             internal_scales: states
                 .iter()

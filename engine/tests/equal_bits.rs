@@ -24,7 +24,7 @@ fn list<V: Vector<f64>>(vector: &V) -> List {
 }
 
 fn state_of<M: Model>(state: &StateOf<M>) -> StateOf<Engine> {
-    State { q: list(&state.q), v: list(&state.v), z: list(&state.z), gates: () }
+    State { q: list(&state.q), v: list(&state.v), z: list(&state.z), gates: list(&state.gates) }
 }
 
 for_each!(tables);

@@ -1,4 +1,5 @@
-//! The main job: the quick return of the source at 15 and 30 rad/s and the Baumgarte experiment, printed and shown.
+//! The main job: the quick return of the source at 15 and 30 rad/s, with a coupler that bends at 15 to 30 rad/s, and the Baumgarte
+//! experiment, printed and shown.
 //!
 //! ```text
 //! cargo run --release --example quick_return
@@ -7,6 +8,7 @@
 
 mod baumgarte;
 mod drawing;
+mod flexible;
 mod geometry;
 mod page;
 mod plots;
@@ -20,6 +22,8 @@ use std::path::PathBuf;
 
 /// Nominal crank speeds, rad/s.
 const CRANK_SPEEDS: [f64; 2] = [15.0, 30.0];
+/// Those with a flexible coupler, and steps of an output interval, for what oscillates along it.
+const FLEXIBLE: [(f64, usize); 4] = [(15.0, 80), (20.0, 40), (25.0, 80), (30.0, 60)];
 
 fn main() -> Result<(), Box<dyn Error>> {
     let directory = output_directory()?;
@@ -27,12 +31,21 @@ fn main() -> Result<(), Box<dyn Error>> {
     let runs = CRANK_SPEEDS.into_iter().map(runs::run).collect::<Result<Vec<_>, _>>()?;
     println!("\n{}", runs::findings(&runs).text());
 
+    let bent = FLEXIBLE
+        .into_iter()
+        .map(|(speed, steps)| flexible::run(speed, steps))
+        .collect::<Result<Vec<_>, _>>()?;
+    println!("{}", flexible::findings(&bent).text());
+
     let trials = baumgarte::experiment()?;
     println!("{}", baumgarte::findings(&trials).text());
 
-    let mut files = vec![report::write(&directory, &runs, &trials)?];
+    let mut files = vec![report::write(&directory, &runs, &bent, &trials)?];
     for run in &runs {
         files.push(runs::write(&directory, run)?);
+    }
+    for run in &bent {
+        files.push(flexible::write(&directory, run)?);
     }
     files.push(baumgarte::write(&directory, &trials)?);
     println!("  written:");

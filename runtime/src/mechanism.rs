@@ -206,6 +206,33 @@ pub trait Mechanism<R: Real>: Variables<R> {
         lambda: &Self::Lambda,
         rates: &mut Self::Z,
     );
+    /// The contact of each gate that is held over a step; none of a mechanism whose gates are live, or that has no contacts.
+    #[inline]
+    fn gate_names(&self) -> &[&'static str] {
+        &[]
+    }
+    /// Of each gate that is held the gap (m or rad), and the force of its law without the gate (N or N·m).
+    #[inline(always)]
+    fn guards(&self, time: R, state: &StateOf<Self, R>, gaps: &mut Self::Gates, forces: &mut Self::Gates) {
+        let _ = (time, state, gaps, forces);
+    }
+    /// The gates as they are at a state, whatever its own are: 1 where the gap is below zero and the force of the law above, else 0. What
+    /// a state that was put together by hand needs, and one at which derivatives are asked for.
+    ///
+    /// ```text
+    /// state.gates = model.live_gates(time, &state);
+    /// ```
+    #[inline]
+    fn live_gates(&self, time: R, state: &StateOf<Self, R>) -> Self::Gates {
+        let zeros = || Self::Gates::zeros(self.gate_names().len());
+        let (mut gates, mut forces) = (zeros(), zeros());
+        self.guards(time, state, &mut gates, &mut forces);
+        for (gate, &force) in gates.as_mut_slice().iter_mut().zip(forces.as_slice()) {
+            let closed = gate.less(R::ZERO) & force.greater(R::ZERO);
+            *gate = R::select(closed, R::ONE, R::ZERO);
+        }
+        gates
+    }
     /// The named outputs; angles among them in (−π, π].
     fn outputs(&self, time: R, state: &StateOf<Self, R>, u: &Self::Inputs) -> Self::Outputs;
     /// Adds whole turns to the angles among the outputs so that they continue `previous`; see
@@ -489,7 +516,7 @@ pub trait Assemble<R: Real>: Mechanism<R> {
     fn start_v(&self) -> Self::V;
     /// The internal states at the start, with this model's parameters.
     fn start_internal(&self) -> Self::Z;
-    /// The gates at the start.
+    /// The gates of contacts at the start, for the default parameters.
     fn start_gates(&self) -> Self::Gates;
     /// Takes the phases of couplings that state none (gears, racks) from an assembled position.
     fn fix_phases(&mut self, q: &Self::Q) {

@@ -12,6 +12,7 @@ mod events;
 mod every_operation;
 mod formulations;
 mod golden;
+mod held;
 mod identities;
 mod implicit;
 mod kinematics;

@@ -9,7 +9,7 @@ use linkwright_runtime::{
     Penalty, Projected, Rk4, SemiImplicitEuler, Simulation, SimulationError, State,
 };
 
-pub type EngineState = State<List, List, List>;
+pub type EngineState = State<List, List, List, List>;
 
 /// A method with the number behind its colon.
 #[derive(Clone, Debug, PartialEq)]

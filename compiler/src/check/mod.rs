@@ -1,6 +1,7 @@
 //! Checks: static rules on the model, numeric rules by assembling the mechanism.
 
 pub mod assemble;
+mod beams;
 mod beyond;
 mod contacts;
 mod cords;
@@ -14,6 +15,7 @@ mod size;
 mod steady;
 mod warnings;
 
+pub use beams::unstiffened;
 pub use beyond::beyond_tables;
 pub use contacts::{Blow, contact_times, contacts};
 pub use cords::cords;

@@ -46,6 +46,7 @@ impl<'a> Rates<'a> {
     fn at(&mut self, z: &[f64]) -> Vec<f64> {
         let (equations, index1) = (self.point.equations, &self.solved.index1);
         self.point.set(&equations.symbols.internal, z);
+        self.point.hold();
         self.point.evaluate(&self.solution);
         let acceleration: Vec<f64> = index1.acceleration.iter().map(|node| self.point.get(*node)).collect();
         let lambda: Vec<f64> = index1.lambda.iter().map(|node| self.point.get(*node)).collect();

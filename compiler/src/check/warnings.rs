@@ -16,7 +16,7 @@ use crate::model::{
 };
 
 /// The warnings in the order they are reported.
-const WARNINGS: [fn(&Mechanism, &mut Wanted); 12] = [
+const WARNINGS: [fn(&Mechanism, &mut Wanted); 14] = [
     declarations_are_used,
     bodies_are_connected,
     gravity_pulls,
@@ -29,6 +29,8 @@ const WARNINGS: [fn(&Mechanism, &mut Wanted); 12] = [
     cords_are_watched,
     super::gears::teeth_are_sound,
     super::gears::bodies_are_known,
+    super::beams::beams_are_slender,
+    super::beams::clamps_hold,
 ];
 
 /// All warnings of a mechanism without errors, and with these joints whose reactions are one of many.
@@ -186,6 +188,10 @@ fn nothing_from(load: &Load) -> Option<String> {
 
 /// Warns of a load on bodies that joints hold, in `rigid` groups altogether and in `parallel` ones against turning.
 fn nothing_moved(mechanism: &Mechanism, load: &Load, rigid: &Groups, parallel: &Groups) -> Option<String> {
+    // What is held at one place of a beam moves at another.
+    if load.places().any(|place| mechanism.beam(place.frame).is_some()) {
+        return None;
+    }
     let name = &load.name.text;
     let body = |id: BodyId| &mechanism.bodies[id.0].name.text;
     if let [Subject::Place(first), Subject::Place(second)] = &load.on[..] {

@@ -68,7 +68,12 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
     if emitter.mechanism.states.is_empty() {
         text.push_str("fn start_internal(&self) {}\n");
     }
-    text.push_str("fn start_gates(&self) {}\n");
+    if emitter.mechanism.options.held {
+        let _ =
+            writeln!(text, "fn start_gates(&self) -> Gates<R> {{ {} }}", numbers(&compiled.start_gates()));
+    } else {
+        text.push_str("fn start_gates(&self) {}\n");
+    }
     let open = compiled.complete.equations.open_rows(emitter.mechanism);
     if !open.is_empty() {
         // The residual with the old phase is what the new phase differs by.

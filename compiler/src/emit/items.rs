@@ -26,9 +26,14 @@ pub fn items(text: &mut String, emitter: &Emitter, source: &str) {
     parameters(text, emitter);
     inputs(text, emitter);
     outputs(text, emitter);
-    let (states, internal) = match mechanism.states.len() {
-        0 => ("Positions and velocities", String::new()),
-        n => ("Positions, velocities and internal states", format!(", [R; {n}]")),
+    let gates = emitter.compiled.entries(Shape::Gates);
+    let (states, internal) = match (mechanism.states.len(), gates) {
+        (0, 0) => ("Positions and velocities", String::new()),
+        (n, 0) => ("Positions, velocities and internal states", format!(", [R; {n}]")),
+        (0, m) => ("Positions, velocities and gates of contacts", format!(", (), [R; {m}]")),
+        (n, m) => {
+            ("Positions, velocities, internal states and gates of contacts", format!(", [R; {n}], [R; {m}]"))
+        }
     };
     let _ = writeln!(
         text,
@@ -109,7 +114,13 @@ fn numbers(values: &[f64]) -> String {
 fn start(emitter: &Emitter) -> String {
     let Emitter { path, compiled, .. } = emitter;
     let (q, v) = (numbers(&compiled.assembly.q), numbers(&compiled.assembly.v));
-    match compiled.mechanism.internal_starts().as_slice() {
+    let z = compiled.mechanism.internal_starts();
+    if compiled.mechanism.options.held {
+        let z = if z.is_empty() { "()".to_string() } else { numbers(&z) };
+        let gates = numbers(&compiled.start_gates());
+        return format!("{path}::State {{ q: {q}, v: {v}, z: {z}, gates: {gates} }}");
+    }
+    match z.as_slice() {
         [] => format!("{path}::State::new({q}, {v})"),
         z => format!("{path}::State {{ q: {q}, v: {v}, z: {}, gates: () }}", numbers(z)),
     }

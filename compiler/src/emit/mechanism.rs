@@ -6,6 +6,7 @@ use super::rust::literal;
 use super::{Emitter, array, quoted, tables};
 use crate::compiled::AngleInOutputs;
 use crate::functions::{Interface, JACOBIAN, MASS, Shape};
+use crate::model::LoadId;
 use std::fmt::Write;
 
 pub fn mechanism(text: &mut String, emitter: &Emitter) {
@@ -42,6 +43,11 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
     if !compiled.complete.equations.friction.is_none() {
         tables::method(text, "rubs", "bool", "true");
     }
+    if mechanism.options.held {
+        let of = |(load, _): (LoadId, usize)| mechanism.loads[load.0].name.text.clone();
+        let names = mechanism.gates().map(of).collect();
+        tables::method(text, "gate_names", "&[&'static str]", &tables::strings(names));
+    }
     functions(text, &mut helpers, emitter, Interface::Mechanism);
     if mechanism.states.is_empty() {
         let _ = writeln!(
@@ -59,7 +65,7 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
     text.push_str(&helpers);
 }
 
-/// What a state is made of: there are no gates yet.
+/// What a state is made of.
 fn variables(text: &mut String, emitter: &Emitter) {
     let _ = writeln!(text, "impl<R: Real> Variables<R> for {}<R> {{", emitter.inner);
     tables::method(text, "layout", "&Layout<'_>", &format!("&{}", tables::layout(emitter)));
@@ -72,7 +78,8 @@ fn variables(text: &mut String, emitter: &Emitter) {
         let _ = writeln!(text, "type {alias} = {alias}<R>;");
     }
     let internal = if emitter.mechanism.states.is_empty() { "()" } else { "Z<R>" };
-    let _ = writeln!(text, "type Z = {internal};\ntype Gates = ();\n}}");
+    let gates = if emitter.mechanism.options.held { "Gates<R>" } else { "()" };
+    let _ = writeln!(text, "type Z = {internal};\ntype Gates = {gates};\n}}");
 }
 
 fn unwrap(text: &mut String, emitter: &Emitter) {

@@ -187,12 +187,13 @@ pub fn inner(name: &str) -> String {
 
 /// Types, traits and variants that implementations have in scope: short names of arrays, what the runtime exports to
 /// emitted code, the prelude.
-const IN_SCOPE: [&str; 121] = [
+const IN_SCOPE: [&str; 122] = [
     "Constants",
     "Phases",
     "Q",
     "V",
     "Z",
+    "Gates",
     "Lambda",
     "Mass",
     "Jacobian",

@@ -226,9 +226,14 @@ pub fn type_of(compiled: &Compiled, shape: Shape) -> String {
             return format!("[{}<R>; {}]", record.of(mechanism.space).name, compiled.entries(shape));
         }
         Shape::Loads | Shape::Drivers | Shape::Masses => return format!("[R; {}]", compiled.entries(shape)),
+        Shape::State if mechanism.options.held => {
+            let internal = if mechanism.states.is_empty() { "()" } else { "Z<R>" };
+            return format!("State<Q<R>, V<R>, {internal}, Gates<R>>");
+        }
         Shape::State if mechanism.states.is_empty() => return "State<Q<R>, V<R>>".to_string(),
         Shape::State => return "State<Q<R>, V<R>, Z<R>>".to_string(),
         Shape::Internal => "Z",
+        Shape::Gates => "Gates",
         Shape::Positions => "Q",
         Shape::Velocities => "V",
         Shape::Rows => "Lambda",

@@ -180,6 +180,7 @@ impl Header {
             Shape::State if self.states.is_empty() => format!("State<{list}, {list}>"),
             Shape::State => format!("State<{list}, {list}, {list}>"),
             Shape::Internal if self.states.is_empty() => "()".to_string(),
+            Shape::Gates => "()".to_string(),
             Shape::Parameters => self.given(parameters),
             Shape::Inputs => self.given(inputs),
             Shape::Outputs => self.given(outputs),

@@ -36,6 +36,9 @@ pub fn aliases(text: &mut String, emitter: &Emitter) {
     if !emitter.mechanism.states.is_empty() {
         let _ = writeln!(text, "type Z<R> = [R; {}];", of(Shape::Internal));
     }
+    if emitter.mechanism.options.held {
+        let _ = writeln!(text, "type Gates<R> = [R; {}];", of(Shape::Gates));
+    }
     for (alias, length) in arrays.into_iter().filter(|(alias, _)| !absent(alias)) {
         let _ = writeln!(text, "type {alias}<R> = [R; {length}];");
     }

@@ -236,6 +236,8 @@ pub struct Symbols {
     pub inputs: Vec<Node>,
     /// Those with rates of their own.
     pub internal: Vec<Node>,
+    /// Held over a step, 1 where a contact acts, else 0.
+    pub gates: Vec<Node>,
     pub two_alpha: Node,
     pub beta_squared: Node,
     /// c of K(c).
@@ -256,6 +258,11 @@ pub fn symbols(g: Sheet, mechanism: &Mechanism, layout: &Layout) -> Symbols {
     let parameters = mechanism.parameters.iter().map(|parameter| parameter.name.identifier()).collect();
     let inputs = mechanism.inputs.iter().map(|input| input.name.identifier()).collect();
     let internal = mechanism.states.iter().map(|state| state.name.identifier()).collect();
+    let gates = mechanism.gates().map(|(load, which)| {
+        let name = mechanism.loads[load.0].name.identifier();
+        if which == 0 { format!("{name}_gate") } else { format!("{name}_gate_{}", which + 1) }
+    });
+    let gates = gates.collect();
     let phases = super::couplings::open_phases(mechanism).map(|name| format!("{name}_phase")).collect();
     let dots = |names: Vec<String>| names.into_iter().map(|name| identifier(&name)).collect::<Vec<_>>();
     let velocity_names = dots(layout.velocity_names(mechanism));
@@ -268,6 +275,7 @@ pub fn symbols(g: Sheet, mechanism: &Mechanism, layout: &Layout) -> Symbols {
         v: named(velocity_names, Class::Velocity),
         inputs: named(inputs, Class::Input),
         internal: named(internal, Class::Input),
+        gates: named(gates, Class::Input),
         two_alpha: symbol("two_alpha", Class::Input),
         beta_squared: symbol("beta_squared", Class::Input),
         compliance: symbol("compliance", Class::Input),

@@ -5,8 +5,8 @@ use super::jet::{Jet, Moving};
 use super::kinematics::Kinematics;
 use super::{Wrench, friction, loads, look_up, plane, space};
 use crate::model::{
-    Comparison, Condition, Coordinate, Expr, Function1, Function2, JointId, Load, Mechanism, Place, Quantity,
-    ReactionPart, Rotor, Vector,
+    Comparison, Condition, Coordinate, Expr, Function1, Function2, JointId, Load, LoadId, Mechanism, Place,
+    Quantity, ReactionPart, Rotor, Vector,
 };
 use crate::symbolic::{Compare, Node, On, Scalar, Sheet, Unary};
 use std::cell::RefCell;
@@ -126,6 +126,7 @@ impl<'a> Laws<'a> {
             Expr::Parameter(parameter) => self.g.on(self.symbols.parameters[parameter.0]),
             Expr::Input(input) => self.g.on(self.symbols.inputs[input.0]),
             Expr::State(state) => self.g.on(self.symbols.internal[state.0]),
+            Expr::Gate(load, which) => self.gate(*load, *which),
             Expr::Time => self.g.on(self.symbols.time),
             Expr::Quantity(quantity) => self.quantity(quantity),
             Expr::Unary(function, a) => {
@@ -156,6 +157,12 @@ impl<'a> Laws<'a> {
         }
     }
 
+    /// The gate of one of a contact's gaps.
+    pub fn gate(&self, load: LoadId, which: usize) -> Scalar<'a> {
+        let at = self.mechanism.gates().position(|gate| gate == (load, which));
+        at.map_or_else(|| self.g.zero(), |at| self.g.on(self.symbols.gates[at]))
+    }
+
     /// The internal states that a load has.
     pub fn states(&self, load: &Load) -> Vec<Scalar<'a>> {
         self.g.all(&self.symbols.internal[load.states.clone()])
@@ -183,7 +190,7 @@ impl<'a> Laws<'a> {
 
     pub fn jet(&self, expr: &Expr) -> Moving<'a> {
         match expr {
-            Expr::Number(_) | Expr::Parameter(_) | Expr::Input(_) | Expr::State(_) => {
+            Expr::Number(_) | Expr::Parameter(_) | Expr::Input(_) | Expr::State(_) | Expr::Gate(..) => {
                 self.still(self.value(expr))
             }
             Expr::Time => {

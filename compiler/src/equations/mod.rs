@@ -159,6 +159,8 @@ pub struct Equations {
     pub outputs: Vec<Node>,
     /// What rubs by reactions.
     pub friction: Friction,
+    /// Of each gate that is held, the gap, and the force of its law without the gate.
+    pub guards: Vec<[Node; 2]>,
     /// ż of the internal states, likewise, and their values at the start.
     pub internal_rates: Vec<Node>,
     pub internal_starts: Vec<Node>,
@@ -265,6 +267,7 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
     let outputs: Vec<Node> =
         mechanism.outputs.iter().map(|output| outputs_laws.value(&output.value).bare).collect();
 
+    let guards = loads::guards(&laws);
     let states = mechanism.states.iter();
     let internal_rates = states.clone().map(|state| rate(&outputs_laws, &state.rate).bare).collect();
     let internal_starts = states.map(|state| outputs_laws.value(&state.start).bare).collect();
@@ -309,6 +312,7 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
         motions,
         reactions,
         outputs,
+        guards,
         internal_rates,
         internal_starts,
         conditions,

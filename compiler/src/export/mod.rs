@@ -21,7 +21,9 @@ pub use evaluation::{Call, Written};
 pub use names::Prefix;
 
 use crate::compiled::Compiled;
+use crate::diagnostics::Diagnostics;
 use crate::emit::{Home, Printer};
+use crate::messages;
 
 /// A mechanism in C.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -43,6 +45,14 @@ pub fn c(compiled: &Compiled, scalar: Scalar) -> Files {
         class: writer.class(),
         name: writer.prefix.lower,
     }
+}
+
+/// Why a mechanism is not exported.
+pub fn refused(compiled: &Compiled) -> Option<Diagnostics> {
+    let at = compiled.mechanism.options.held_at?;
+    let mut found = Diagnostics::new();
+    found.error(at, messages::held_in_c());
+    Some(found)
 }
 
 /// The functions of the equations in the source file, in its order; those that only steps call are the last.

@@ -13,7 +13,9 @@ pub enum Argument {
     V,
     /// Internal states.
     Z,
-    /// The state as a whole, of which q, v and z are parts.
+    /// Gates that are held over a step.
+    Gates,
+    /// The state as a whole, of which q, v, z and the gates are parts.
     State,
     Inputs,
     TwoAlpha,
@@ -50,12 +52,13 @@ const fn given(
 }
 
 /// All arguments.
-pub static ARGUMENTS: [Given; 19] = [
+pub static ARGUMENTS: [Given; 20] = [
     given(Argument::Time, "time", Shape::Scalar, |c| from_ref(&c.equations.symbols.time)),
     given(Argument::Q, "q", Shape::Positions, |c| &c.equations.symbols.q),
     given(Argument::V, "v", Shape::Velocities, |c| &c.equations.symbols.v),
     given(Argument::Z, "z", Shape::Internal, |c| &c.equations.symbols.internal),
-    // Its entries are those of q, v and z.
+    given(Argument::Gates, "gates", Shape::Gates, |c| &c.equations.symbols.gates),
+    // Its entries are those of q, v, z and the gates.
     given(Argument::State, "state", Shape::State, |_| &[]),
     given(Argument::Inputs, "u", Shape::Inputs, |c| &c.equations.symbols.inputs),
     // 2 α and β² of Baumgarte's terms, 1/s and 1/s².
@@ -102,7 +105,7 @@ impl Argument {
     /// The arguments that it brings along, as the state brings q and v.
     pub fn parts(self) -> &'static [Argument] {
         match self {
-            Argument::State => &[Argument::Q, Argument::V, Argument::Z],
+            Argument::State => &[Argument::Q, Argument::V, Argument::Z, Argument::Gates],
             _ => &[],
         }
     }

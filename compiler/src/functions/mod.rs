@@ -43,6 +43,7 @@ pub enum Function {
     NullSpaceBaumgarte,
     Outputs,
     InternalRates,
+    Guards,
     InverseDynamics,
     Powers,
     DriverEfforts,

@@ -17,7 +17,9 @@ pub enum Shape {
     Velocities,
     /// z.
     Internal,
-    /// q, v and z together.
+    /// 0 or 1, for each gate.
+    Gates,
+    /// q, v, z and the gates together.
     State,
     /// λ, Φ, ν, γ.
     Rows,
@@ -51,6 +53,14 @@ impl Shape {
             Shape::Velocities => equations.layout.velocity_names(mechanism),
             Shape::Rows => equations.rows.iter().map(|row| format!("{}_{}", row.of, row.form.name)).collect(),
             Shape::Internal => mechanism.states.iter().map(|state| state.name.identifier()).collect(),
+            Shape::Gates => {
+                let gates = mechanism.gates();
+                gates
+                    .map(|(load, which)| {
+                        format!("{}_{}", mechanism.loads[load.0].name.identifier(), which + 1)
+                    })
+                    .collect()
+            }
             Shape::Inputs => mechanism.inputs.iter().map(|input| input.name.identifier()).collect(),
             Shape::Outputs => mechanism.outputs.iter().map(|output| output.name.identifier()).collect(),
             Shape::Parameters => mechanism.parameters.iter().map(|known| known.name.identifier()).collect(),

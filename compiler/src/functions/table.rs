@@ -23,7 +23,7 @@ const MOVING: &[Argument] = &[Constants, Time, Q, V, Acceleration];
 const EVERYTHING: &[Argument] = &[Constants, Time, State, Inputs, Acceleration, Lambda];
 
 /// Every function.
-pub static FUNCTIONS: [Signature; 47] = [
+pub static FUNCTIONS: [Signature; 48] = [
     signature(
         Function::MassMatrix,
         "mass_matrix",
@@ -174,6 +174,18 @@ pub static FUNCTIONS: [Signature; 47] = [
         &[written("rates", Shape::Internal, |c| c.equations.internal_rates.clone()).called("{}_dot")],
     )
     .only(has_internal_states),
+    signature(
+        Function::Guards,
+        "guards",
+        Mechanism,
+        "Of each gate that is held the gap (m or rad), and the force of its law without the gate (N or N m).",
+        &[Constants, Time, State],
+        &[
+            written("gaps", Shape::Gates, |c| guards(c, 0)).called("gap_{}"),
+            written("forces", Shape::Gates, |c| guards(c, 1)).called("force_{}"),
+        ],
+    )
+    .only(|c| !c.equations.guards.is_empty()),
     signature(
         Function::InverseDynamics,
         "inverse_dynamics",
@@ -508,6 +520,10 @@ fn targets(complete: &Complete, of: fn(&StartTarget) -> Option<Node>) -> Vec<Nod
 
 fn has_friction(complete: &Complete) -> bool {
     !complete.equations.friction.is_none()
+}
+
+fn guards(complete: &Complete, which: usize) -> Vec<Node> {
+    complete.equations.guards.iter().map(|guard| guard[which]).collect()
 }
 
 fn has_internal_states(complete: &Complete) -> bool {

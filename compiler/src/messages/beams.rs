@@ -3,6 +3,7 @@
 use super::{closest, number};
 use crate::beams::{Counts, Shapes};
 use crate::forms::SECTIONS;
+use crate::numbers::significant;
 
 /// In backticks.
 pub(crate) fn quoted_code(text: &str) -> String {
@@ -215,5 +216,41 @@ pub(crate) fn origin_of_beam(place: &str) -> String {
     format!(
         "`{place}` is the centre of mass of a beam with `free` shapes, which is no point of its axis once it bends: nothing can be attached \
          to it; write `center` for the middle of the axis"
+    )
+}
+
+pub(crate) fn thick_beam(beam: &str, ratio: f64, least: f64) -> String {
+    format!(
+        "the beam `{beam}` is {} radii of gyration √(I/A) long; below {} shear and the turning of its sections, which Euler and Bernoulli's beam \
+         leaves out, lower its frequencies. Write a longer or thinner one, `body` for what hardly bends, or `#[allow(slender)]` before it",
+        significant(ratio, 3),
+        number(least)
+    )
+}
+
+pub(crate) fn clamp_that_turns(beam: &str, shapes: &str, joint: &str, kind: &str) -> String {
+    format!(
+        "the `{shapes}` shapes of the beam `{beam}` are held at its start with their direction, and the {kind} joint `{joint}` lets that turn: \
+         many modes are needed. Write `shapes = free;`, or `pinned` where both ends are on hinges, or `#[allow(slender)]` before it"
+    )
+}
+
+pub(crate) fn fast_beam(beam: &str, rate: f64, natural: f64) -> String {
+    format!(
+        "the beam `{beam}` turns at {} rad/s at the start, {} of its first clamped frequency, {} rad/s, and nothing stiffens it: it bends far too \
+         much, and beyond that frequency without bound. Write `stiffening = on;`, or `#[allow(stiffening)]` before it",
+        significant(rate, 4),
+        significant(rate / natural, 2),
+        significant(natural, 4)
+    )
+}
+
+pub(crate) fn pressed_beam(beam: &str, thrust: f64, euler: f64) -> String {
+    format!(
+        "the joints of the beam `{beam}` press it together with {} N at the start, {} of Euler's load, {} N, and nothing makes it softer: it bends \
+         too little, and does not buckle. Write `stiffening = on;`, or `#[allow(stiffening)]` before it",
+        significant(thrust, 4),
+        significant(thrust / euler, 2),
+        significant(euler, 4)
     )
 }

@@ -185,6 +185,16 @@ pub(crate) fn speed_of_touch() -> String {
     "the speed of each touch would be a memory of it, which is not there yet; write the speed that is expected, `speed [m/s] = 1`".to_string()
 }
 
+pub(crate) fn holds_nothing() -> String {
+    "gates of contacts are held here, but nothing touches: declare a `contact` or a `limit`, or leave this line out".to_string()
+}
+
+pub(crate) fn held_in_c() -> String {
+    "the functions in C take whole steps and locate no touch within them, so that held gates would open and close late: write \
+     `contact = live`"
+        .to_string()
+}
+
 pub(crate) fn release_out_of_range(found: f64) -> String {
     format!("`release` is the share of the damping that acts on the way out, 0 to 1, found {}", number(found))
 }

@@ -8,7 +8,7 @@ pub(crate) fn friction_without_joint() -> String {
 }
 
 pub(crate) fn dry_friction() -> String {
-    "`dry` friction, which sticks exactly, is not there yet: it needs gates that are held within a step; `coulomb` creeps where it would stick, with a \
+    "`dry` friction, which sticks exactly, is not there yet; `coulomb` creeps where it would stick, with a \
      speed of the order of its `speed`, `stribeck` likewise"
         .to_string()
 }

@@ -138,6 +138,8 @@ pub struct Load {
     pub law: Vec<Expr>,
     /// Of a contact what slides at each of its gaps, where friction or an expression asks for it.
     pub slides: Vec<Sliding>,
+    /// Of a contact whose gates are held: what its law says along each of its gaps, pulls included.
+    pub ungated: Vec<Expr>,
     /// Its internal states, among those of the mechanism.
     pub states: Range<usize>,
     /// Of a load between teeth: the pair, and what its stiffness is made of.

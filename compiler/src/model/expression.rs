@@ -13,6 +13,8 @@ pub enum Expr {
     Parameter(ParameterId),
     Input(InputId),
     State(StateId),
+    /// Of a contact and one of its gaps: 1 while it acts, else 0; held over a step.
+    Gate(LoadId, usize),
     /// s.
     Time,
     Quantity(Quantity),
@@ -37,6 +39,7 @@ impl Expr {
             | Expr::Parameter(_)
             | Expr::Input(_)
             | Expr::State(_)
+            | Expr::Gate(..)
             | Expr::Time
             | Expr::Quantity(_) => {}
             Expr::Unary(_, x) | Expr::Power(x, _) | Expr::Rate(x) => x.visit(found),

@@ -66,9 +66,13 @@ pub(crate) fn evaluate(expr: &Expr, parameters: &[f64]) -> Option<f64> {
             let numbers: Vec<f64> = look_up.arguments.iter().map(at).collect::<Option<_>>()?;
             Some(look_up.curve.at(look_up.orders, &numbers))
         }
-        Expr::Input(_) | Expr::State(_) | Expr::Time | Expr::Quantity(_) | Expr::If(..) | Expr::Rate(_) => {
-            None
-        }
+        Expr::Input(_)
+        | Expr::State(_)
+        | Expr::Gate(..)
+        | Expr::Time
+        | Expr::Quantity(_)
+        | Expr::If(..)
+        | Expr::Rate(_) => None,
     }
 }
 

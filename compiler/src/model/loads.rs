@@ -39,6 +39,7 @@ impl<'d> Lowering<'d> {
             teeth,
             normal: None,
             slides: Vec::new(),
+            ungated: Vec::new(),
         })
     }
 

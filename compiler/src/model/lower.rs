@@ -191,6 +191,8 @@ impl Use {
         accelerates: false,
         ..Self::EQUATION
     };
+    pub const HELD_LAW: Self =
+        Self { what: "the law of a contact whose gates are held", inputs: false, ..Self::LOAD };
     pub const VARYING: Self = Self { what: "this argument", velocities: false, ..Self::LOAD };
     pub const OUTPUT: Self = Self { what: "an output", results: true, ..Self::LOAD };
     pub const STATE_RATE: Self = Self { what: "the rate of a state", ..Self::OUTPUT };

@@ -157,6 +157,12 @@ impl Mechanism {
         starts.map(|start| start.unwrap_or(f64::NAN)).collect()
     }
 
+    /// The gates that are held over a step: contact and which of its gaps, in the order of their declaration.
+    pub fn gates(&self) -> impl Iterator<Item = (LoadId, usize)> {
+        let loads = self.loads.iter().enumerate();
+        loads.flat_map(|(load, it)| (0..it.ungated.len()).map(move |which| (LoadId(load), which)))
+    }
+
     /// The files that tables and parts were read from.
     pub fn files(&self) -> impl Iterator<Item = &OnDisk> {
         let tables = self.tables.iter().filter_map(|table| Some(&table.file.as_ref()?.on_disk));
@@ -426,6 +432,10 @@ pub struct Options {
     pub redundant: Redundant,
     /// Passes of Newton's method for the forces that press surfaces together.
     pub friction_passes: Option<usize>,
+    /// Whether gates of contacts are held within a step.
+    pub held: bool,
+    /// Where that is said.
+    pub held_at: Option<Region>,
     /// Whether principal moments may be those of no real body, as in some published data.
     pub accept_inertia: bool,
     /// Joints that the spanning tree must not use.

@@ -23,6 +23,8 @@ impl<'d> Lowering<'d> {
         let mut crate_path: Option<String> = None;
         let mut emit = Emit::default();
         let (mut self_check, mut export_c, mut friction_passes) = (None, None, None);
+        let held = self.holds_gates();
+        let mut held_at = None;
         for entry in &self.definition.options {
             match entry {
                 OptionEntry::Coordinates(word) => {
@@ -55,6 +57,19 @@ impl<'d> Lowering<'d> {
                 OptionEntry::SelfCheck(word) => self_check = Some(word.text == "on"),
                 OptionEntry::ExportC(word) => export_c = Scalar::named(&word.text),
                 OptionEntry::FrictionPasses(passes, _) => friction_passes = Some(*passes),
+                OptionEntry::Contact(word) => {
+                    held_at = held.then_some(word.region);
+                    if held && self.definition.contacts.is_empty() {
+                        self.diagnostics.error(word.region, messages::holds_nothing());
+                    }
+                    let export = self.definition.options.iter().find_map(|entry| match entry {
+                        OptionEntry::ExportC(scalar) => Some(scalar.region),
+                        _ => None,
+                    });
+                    if held && let Some(export) = export {
+                        self.diagnostics.error(export, messages::held_in_c());
+                    }
+                }
                 OptionEntry::Crate(path) => crate_path = Some(path.to_string()),
             }
         }
@@ -64,6 +79,8 @@ impl<'d> Lowering<'d> {
             solution,
             redundant,
             friction_passes,
+            held,
+            held_at,
             accept_inertia,
             cut,
             independent,
@@ -82,6 +99,7 @@ impl<'d> Lowering<'d> {
             OptionEntry::Inertia(label) => Some(("inertia", label)),
             OptionEntry::SelfCheck(label) => Some(("self_check", label)),
             OptionEntry::ExportC(label) => Some(("export_c", label)),
+            OptionEntry::Contact(label) => Some(("contact", label)),
             _ => None,
         };
         let mut seen: Vec<(&str, &Label)> = Vec::new();

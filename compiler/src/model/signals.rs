@@ -124,9 +124,9 @@ impl Lowering<'_> {
                 Expr::State(_) => (usage.states, "a state"),
                 Expr::Time => (usage.time, "the time"),
                 Expr::Quantity(Quantity::Coordinate(_)) => (usage.positions, "a position"),
-                Expr::Quantity(Quantity::Rate(_) | Quantity::Sliding { .. }) | Expr::Rate(_) => {
-                    (usage.velocities, "a velocity")
-                }
+                Expr::Quantity(Quantity::Rate(_) | Quantity::Sliding { .. })
+                | Expr::Rate(_)
+                | Expr::Gate(..) => (usage.velocities, "a velocity"),
                 Expr::Quantity(
                     Quantity::Power(_)
                     | Quantity::DriverPower(_)

@@ -43,6 +43,9 @@ impl<'a> Writer<'a> {
         let states = mechanism.states.iter().map(|state| state.name.text.clone());
         let settings = settings.chain(symbols.inputs.iter().copied().zip(inputs));
         let settings = settings.chain(symbols.internal.iter().copied().zip(states));
+        let contacts =
+            mechanism.gates().map(|(load, _)| format!("gate({})", mechanism.loads[load.0].name.text));
+        let settings = settings.chain(symbols.gates.iter().copied().zip(contacts));
         let accelerations =
             symbols.acceleration.iter().copied().zip(v.iter().map(|name| format!("v̇({name})")));
         let multipliers = symbols.lambda.iter().zip(&equations.rows);

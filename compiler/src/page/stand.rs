@@ -3,6 +3,7 @@
 use super::bent::Bent;
 use super::sketch::{Effort, Part, Wheel};
 use crate::beams::magnification;
+use crate::check::assemble::live;
 use crate::compiled::Compiled;
 use crate::complete::Complete;
 use crate::drawing::Hinge;
@@ -80,11 +81,13 @@ impl<'a> Stand<'a> {
         set(&known.v, &mut pose.v.iter().copied());
         set(&known.inputs, &mut std::iter::repeat(1.0));
         set(&known.internal, &mut pose.internal.iter().copied());
+        let guards: Vec<Node> = equations.guards.iter().flatten().copied().collect();
         let bent = Bent::of_all(compiled, &pose.q);
         let deflections = bent.iter().flatten().map(Bent::deflection);
         let times = magnification(deflections.fold(0.0, f64::max));
         let mut stand =
             Stand { compiled, graph, symbols, values: Vec::new(), poses: Vec::new(), bent, times };
+        stand.hold(&guards);
         for motion in &equations.motions {
             let center = pad(&stand.numbers(&motion.position));
             let turned = stand.numbers(&motion.orientation);
@@ -95,6 +98,17 @@ impl<'a> Stand<'a> {
             stand.poses.push((center, axes));
         }
         stand
+    }
+
+    /// Takes the gates that are held as they are in this pose.
+    fn hold(&mut self, guards: &[Node]) {
+        let values = self.numbers(guards);
+        let gates = values.chunks_exact(2).map(|guard| live([guard[0], guard[1]]));
+        for (node, gate) in self.compiled.complete.equations.symbols.gates.iter().zip(gates) {
+            if let Op::Symbol(symbol) = self.graph.read().op(*node) {
+                self.symbols[symbol as usize] = gate;
+            }
+        }
     }
 
     fn numbers(&mut self, nodes: &[Node]) -> Vec<f64> {

@@ -386,7 +386,7 @@ fn named(mechanism: &Mechanism, expr: &Expr, names: &mut BTreeSet<String>, moves
         Expr::Time => {
             names.insert("time".to_string());
         }
-        Expr::Quantity(_) => *moves = true,
+        Expr::Quantity(_) | Expr::Gate(..) => *moves = true,
         _ => {}
     });
 }

@@ -173,6 +173,8 @@ fn any_state(compiled: &Compiled, random: &mut Random, reach: f64, vary: bool) -
         v: sized(random, 1.0),
         inputs: random.vector(equations.symbols.inputs.len()),
         internal: random.vector(equations.symbols.internal.len()),
+        // Open and closed in turn, and not drawn: what is random for a mechanism without gates stays what it is.
+        gates: (0..equations.symbols.gates.len()).map(|gate| f64::from(u8::from(gate % 2 == 0))).collect(),
         two_alpha: 10.0 + random.next(),
         beta_squared: 25.0 + random.next(),
         acceleration: sized(random, 3.0),
@@ -197,6 +199,7 @@ pub fn start(compiled: &Compiled) -> Inputs {
         acceleration: vec![0.0; compiled.assembly.v.len()],
         inputs: vec![0.0; compiled.mechanism.inputs.len()],
         internal: compiled.mechanism.internal_starts(),
+        gates: compiled.start_gates(),
         lambda: vec![0.0; compiled.complete.equations.rows.len()],
         ..Inputs::default()
     }

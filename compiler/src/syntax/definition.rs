@@ -377,6 +377,8 @@ pub enum OptionEntry {
     /// `on` or `off`.
     SelfCheck(Label),
     FrictionPasses(usize, Region),
+    /// `live` or `held`.
+    Contact(Label),
     ExportC(Label),
     Crate(TokenStream),
 }

@@ -570,6 +570,7 @@ impl Writer {
             | OptionEntry::Emit(_)
             | OptionEntry::SelfCheck(_)
             | OptionEntry::FrictionPasses(..)
+            | OptionEntry::Contact(_)
             | OptionEntry::ExportC(_)
             | OptionEntry::Crate(_) => {}
         }

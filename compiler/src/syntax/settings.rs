@@ -65,7 +65,7 @@ impl Parser<'_> {
 
     /// `{ coordinates = auto; cut = (joint, …); … }`
     pub fn options(&mut self, c: &mut Cursor) -> Parsed<()> {
-        const KNOWN: [&str; 11] = [
+        const KNOWN: [&str; 12] = [
             "coordinates",
             "solution",
             "redundant",
@@ -75,14 +75,12 @@ impl Parser<'_> {
             "emit",
             "self_check",
             "friction_passes",
+            "contact",
             "export_c",
             "crate",
         ];
         self.block(c, |parser, c| {
             let option = parser.word(c, "an option")?;
-            if option.text == "contact" {
-                return parser.fail(option.region, messages::not_there_yet("contact = held"));
-            }
             if !KNOWN.contains(&option.text.as_str()) {
                 return parser.fail(option.region, messages::unknown_option(&option.text, &KNOWN));
             }
@@ -99,6 +97,7 @@ impl Parser<'_> {
                 "emit" => OptionEntry::Emit(parser.list(c, |p, c| p.choice(c, &EMITTED))?),
                 "self_check" => OptionEntry::SelfCheck(parser.choice(c, &["on", "off"])?),
                 "friction_passes" => parser.friction_passes(c)?,
+                "contact" => OptionEntry::Contact(parser.choice(c, &["live", "held"])?),
                 "export_c" => OptionEntry::ExportC(parser.choice(c, &["f64", "f32"])?),
                 _ => OptionEntry::Crate(parser.crate_path(c)?),
             };

@@ -259,6 +259,7 @@ fn point(compiled: &Compiled, random: &mut Random) -> Inputs {
         v: any(Shape::Velocities, random),
         inputs: any(Shape::Inputs, random),
         internal: any(Shape::Internal, random),
+        gates: any(Shape::Gates, random),
         two_alpha: 10.0 + random.next(),
         beta_squared: 25.0 + random.next(),
         acceleration: any(Shape::Velocities, random),

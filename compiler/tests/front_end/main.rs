@@ -1,5 +1,6 @@
 //! The front end: tokens → definition → model → static rules, and the exported definition.
 
+mod beams;
 mod builder;
 mod contacts;
 mod coverage;

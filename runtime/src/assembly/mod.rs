@@ -16,7 +16,7 @@ pub use rates::{assemble_acceleration, assemble_velocity, project_velocity};
 
 use crate::error::AssemblyError;
 use crate::ldl::Pivot;
-use crate::mechanism::Assemble;
+use crate::mechanism::{Assemble, Mechanism};
 use crate::real::Real;
 use crate::simulation::Simulation;
 use crate::state::{Kinematics, Motion, State, StateOf};
@@ -28,7 +28,8 @@ use system::System;
 pub trait AssembleExt<R: Real>: Assemble<R> + Sized {
     /// The state assembled at expansion, for the default parameters, in the model's own scalars.
     fn start(&self) -> StateOf<Self, R> {
-        State { q: self.start_q(), v: self.start_v(), z: self.start_internal(), gates: self.start_gates() }
+        let gates = self.start_gates();
+        held(self, R::ZERO, State { q: self.start_q(), v: self.start_v(), z: self.start_internal(), gates })
     }
 
     /// The state near `near` that fulfils what `start` states, with this model's parameters, at time zero.
@@ -40,7 +41,8 @@ pub trait AssembleExt<R: Real>: Assemble<R> + Sized {
         self.start_targets(&mut positions, &mut rates);
         let q = assemble_position(self, R::ZERO, &near.q, &positions, self.start_conditions())?;
         let v = assemble_velocity(self, R::ZERO, &q, &rates, self.start_rates())?;
-        Ok(State { q, v, z: self.start_internal(), gates: self.start_gates() })
+        let gates = self.start_gates();
+        Ok(held(self, R::ZERO, State { q, v, z: self.start_internal(), gates }))
     }
 
     /// The motion of the whole mechanism from that of its independent coordinates, given in the order of
@@ -92,18 +94,27 @@ pub trait AssembleExt<R: Real>: Assemble<R> + Sized {
     }
 
     /// The consistent state nearest to `state`: positions as by [`project_position`], velocities as by
-    /// [`project_velocity`], and the rest as it is.
+    /// [`project_velocity`], gates as they are there, and the rest as it is.
     ///
     /// # Errors
     /// As [`assemble_position`] and [`assemble_velocity`].
     fn project(&self, time: R, state: &StateOf<Self, R>) -> Result<StateOf<Self, R>, AssemblyError> {
         let q = project_position(self, time, &state.q)?;
         let v = project_velocity(self, time, &q, &state.v)?;
-        Ok(State { q, v, z: state.z.clone(), gates: state.gates.clone() })
+        Ok(held(self, time, State { q, v, z: state.z.clone(), gates: state.gates.clone() }))
     }
 }
 
 impl<R: Real, M: Assemble<R>> AssembleExt<R> for M {}
+
+/// The state with its gates as they are at it.
+#[inline(always)]
+pub(crate) fn held<R: Real, M: Mechanism<R>>(model: &M, time: R, mut state: StateOf<M, R>) -> StateOf<M, R> {
+    if !state.gates.as_slice().is_empty() {
+        state.gates = model.live_gates(time, &state);
+    }
+    state
+}
 
 /// The smallest relative pivot of D Dᵀ and the index of its row: near zero at a position where that row depends on
 /// those eliminated before it. `None` for a mechanism without constraint rows, or where all pivots are one.

@@ -1,7 +1,7 @@
 //! Coordinates by name: their values and rates at a state, and the state that belongs to measured ones.
 
 use super::basis::condition_product;
-use crate::assembly::{assemble_position, nearest_velocity};
+use crate::assembly::{assemble_position, held as held_gates, nearest_velocity};
 use crate::error::{AssemblyError, LinearisationError};
 use crate::mechanism::{Assemble, ConditionKind};
 use crate::real::Real;
@@ -61,7 +61,7 @@ pub fn coordinate_rates<R: Real, M: Assemble<R>>(model: &M, time: R, q: &M::Q, v
 /// Φ(t, q) = 0, s_k(q) = position_k,   D v = ν, ṡ_k = rate_k
 /// ```
 /// Positions by Newton's iteration from `near` on shortest steps (metres and radians alike), velocities nearest to those of `near` in the norm of M;
-/// internal states and gates are those of `near`. Read as many coordinates as there are degrees of freedom, and nothing of `near` is left but which
+/// internal states are those of `near`, gates what they are at that state. Read as many coordinates as there are degrees of freedom, and nothing of `near` is left but which
 /// way the mechanism is assembled; read fewer, and the rest stays where it is as far as it can. Read of a coordinate whose turns are counted, a
 /// position has its turns. For a state of which everything was measured see [`project`](crate::AssembleExt::project); of more readings than degrees of
 /// freedom make an estimate first, as a Kalman filter does.
@@ -85,7 +85,7 @@ pub fn measured<R: Real, M: Assemble<R>>(
     }
     let q = assemble_position(model, time, &near.q, &positions, held)?;
     let v = nearest_velocity(model, time, &q, &near.v, &rates, held)?;
-    Ok(State { q, v, z: near.z.clone(), gates: near.gates.clone() })
+    Ok(held_gates(model, time, State { q, v, z: near.z.clone(), gates: near.gates.clone() }))
 }
 
 /// The conditions that were read, in the places of `active`, of which there is one for each velocity.

@@ -156,6 +156,15 @@ pub enum SimulationError {
         /// The trials made.
         trials: u32,
     },
+    /// Contacts whose gates are held opened and closed more often in one step than is allowed.
+    Chatter {
+        /// The contact that did so last.
+        contact: &'static str,
+        /// The time at which it did, s. The simulation stands at the beginning of the step.
+        time: f64,
+        /// How often gates may open or close in a step.
+        most: u32,
+    },
     /// A step near a singular position ended with more kinetic energy than loads, drivers and springs can have brought, or with
     /// less than they can have taken.
     Unresolved {
@@ -184,7 +193,7 @@ pub enum SimulationError {
 }
 
 impl SimulationError {
-    /// The joint, constraint or driver that the error is about.
+    /// The joint, constraint, driver or contact that the error is about.
     pub fn joint(&self) -> Option<&'static str> {
         match self {
             SimulationError::Breakdown { row, .. }
@@ -194,6 +203,7 @@ impl SimulationError {
             | SimulationError::Projection { error: AssemblyError::NoConvergence { row, .. }, .. } => {
                 Some(row.of)
             }
+            SimulationError::Chatter { contact, .. } => Some(contact),
             _ => None,
         }
     }
@@ -295,6 +305,11 @@ impl Display for SimulationError {
                 f,
                 "an event lies in the step from t = {time} s, but {trials} trials located it no better than {width:.1e} s; \
                  give it a larger tolerance, or the integrator looser tolerances"
+            ),
+            SimulationError::Chatter { contact, time, most } => write!(
+                f,
+                "`{contact}` opens and closes without end at t = {time} s: contacts did so more than {most} times in one step; take a smaller \
+                 step, give the contact a force that grows from zero with its depth, or write `options {{ contact = live; }}`"
             ),
             SimulationError::Unresolved { time, row, reciprocal_condition, before, after } => write!(
                 f,

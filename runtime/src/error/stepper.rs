@@ -22,6 +22,8 @@ pub enum StepError {
     Diverged = 6,
     /// A saved state is of another definition, or of another version of the format.
     OtherModel = 7,
+    /// The mechanism holds the gates of its contacts within steps, and a stepper finds no times between them.
+    HeldGates = 8,
 }
 
 impl StepError {
@@ -51,6 +53,9 @@ impl StepError {
             }
             StepError::OtherModel => {
                 "the saved state belongs to another definition, or to another version of this library"
+            }
+            StepError::HeldGates => {
+                "the mechanism holds the gates of its contacts, and a stepper finds no touch within a step; write `options { contact = live; }`"
             }
         }
     }

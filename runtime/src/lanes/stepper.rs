@@ -13,7 +13,7 @@ use crate::formulation::Formulation;
 use crate::integrator::FixedStep;
 use crate::mechanism::Mechanism;
 use crate::stepper::{StepMethod, Stepper, is_finite, is_finite_state, is_on};
-use crate::vector::blend;
+use crate::vector::{Vector, blend};
 use core::fmt::{self, Debug, Formatter};
 
 /// Mechanisms of one definition, one in each lane, that are moved together: each with its own parameters, time, state, inputs and
@@ -186,9 +186,12 @@ impl<M: InScalars, S: LaneMethod<M, L>, L: Lanes> LaneStepper<M, S, L> {
             memory: memory.clone(),
             inputs,
             pivot: L::ONE,
-            // Written so that a NaN is not sound.
+            // Written so that a NaN is not sound. Gates that are held are refused by the lanes' own steppers.
             sound: h.greater(least_step(clock.time())) & is_finite(&[h]) & is_finite(&inputs.to_array()),
         };
+        if !states.gates.as_slice().is_empty() {
+            stages.sound = L::mask(0);
+        }
         let stepped = in_lanes.integrator().take(&mut stages, clock.time(), h, states);
         let (pivot, mut sound) = (stages.pivot, stages.sound);
         let mut moved = L::ZERO;

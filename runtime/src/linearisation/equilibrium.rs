@@ -3,6 +3,7 @@
 
 use super::lu::{Lu, NoPivot};
 use super::{ColumnsOf, check_finite, check_given};
+use crate::assembly::held;
 use crate::error::{AssemblyError, LinearisationError};
 use crate::integrator::relative;
 use crate::layout::{normalised, retract};
@@ -74,7 +75,7 @@ pub fn equilibrium<R: Real, M: Tangent<R>>(
     u: &M::Inputs,
 ) -> Result<EquilibriumOf<R, M>, LinearisationError> {
     let z = model.start_internal();
-    check_given(model, time, &at_rest(model, near, &z), u)?;
+    check_given(model, time, &at_rest(model, time, near, &z), u)?;
     let q = normalised(model.layout(), near).map_err(|(first, length)| {
         let what = model.position_names().get(first).copied().unwrap_or(model.name());
         LinearisationError::Assembly(AssemblyError::NoOrientation { what, length: length.to_f64() })
@@ -198,7 +199,7 @@ impl<'m, R: Real, M: Tangent<R>> Search<'m, R, M> {
     fn settle(&mut self, from: PlaceOf<R, M>) -> Option<(PlaceOf<R, M>, u32)> {
         let model = self.model;
         let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
-        let rest = at_rest(self.model, &from.q, &from.z);
+        let rest = at_rest(self.model, self.time, &from.q, &from.z);
         self.model.acceleration(self.time, &rest, self.u, &mut a, &mut lambda);
         // M/h², the first h such that the step h² a is small.
         let first = a.max_abs() / R::from_f64(FIRST_STEP);
@@ -247,7 +248,7 @@ impl<'m, R: Real, M: Tangent<R>> Search<'m, R, M> {
     fn factor(&mut self, at: &PlaceOf<R, M>, weight: R) -> Result<(), NoPivot<R>> {
         let model = self.model;
         let (model, time, still) = (self.model, self.time, model.zero_v());
-        let rest = at_rest(model, &at.q, &at.z);
+        let rest = at_rest(model, self.time, &at.q, &at.z);
         let (mut stiffness, mut damping) = (model.zero_stiffness(), model.zero_damping());
         let (mut jacobian, mut mass) = (model.zero_jacobian(), model.zero_mass());
         model.tangent(time, &rest, self.u, &still, &at.lambda, &mut stiffness, &mut damping);
@@ -324,7 +325,7 @@ impl<'m, R: Real, M: Tangent<R>> Search<'m, R, M> {
     /// (r, Φ, −ż) at rest; of a row that repeats others its multiplier, which is to be zero.
     fn residual(&self, at: &PlaceOf<R, M>) -> M::Unknowns {
         let model = self.model;
-        let (rest, still) = (at_rest(self.model, &at.q, &at.z), model.zero_v());
+        let (rest, still) = (at_rest(self.model, self.time, &at.q, &at.z), model.zero_v());
         let (mut forces, mut phi) = (model.zero_v(), model.zero_lambda());
         self.model.residual(self.time, &rest, self.u, &still, &at.lambda, &mut forces);
         self.model.constraints(self.time, &at.q, &mut phi);
@@ -342,8 +343,8 @@ impl<'m, R: Real, M: Tangent<R>> Search<'m, R, M> {
 }
 
 /// The state at rest at a position.
-fn at_rest<R: Real, M: Tangent<R>>(model: &M, q: &M::Q, z: &M::Z) -> StateOf<M, R> {
-    State { q: q.clone(), v: model.zero_v(), z: z.clone(), gates: model.start_gates() }
+fn at_rest<R: Real, M: Tangent<R>>(model: &M, time: R, q: &M::Q, z: &M::Z) -> StateOf<M, R> {
+    held(model, time, State { q: q.clone(), v: model.zero_v(), z: z.clone(), gates: model.start_gates() })
 }
 
 /// λ of the motion from rest, zero where there is none.
@@ -355,7 +356,7 @@ fn multipliers_at_rest<R: Real, M: Tangent<R>>(
     u: &M::Inputs,
 ) -> M::Lambda {
     let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
-    let pivot = model.acceleration(time, &at_rest(model, q, z), u, &mut a, &mut lambda);
+    let pivot = model.acceleration(time, &at_rest(model, time, q, z), u, &mut a, &mut lambda);
     let sound = R::any(pivot.greater_equal(R::BREAKDOWN)) && lambda.first_not_finite().is_none();
     if sound { lambda } else { model.zero_lambda() }
 }

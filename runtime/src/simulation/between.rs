@@ -10,6 +10,7 @@ use crate::integrator::{Integrator, Interpolate, Method};
 use crate::mechanism::{Assemble, Mechanism};
 use crate::real::Real;
 use crate::state::StateOf;
+use crate::vector::Vector;
 
 /// The most samples of a run at even times: 2³².
 const MOST_SAMPLES: f64 = 4_294_967_296.0;
@@ -100,14 +101,22 @@ where
         };
         show(&self.sample());
         let mut due = after(begin);
+        let mut events = 0;
         while self.is_under_way(&course) {
-            self.advance_along(&mut course)?;
+            match self.run.state.gates.as_slice().is_empty() {
+                true => {
+                    self.advance_along(&mut course)?;
+                }
+                // Up to a touch or release, beyond which no extension leads.
+                false => self.advance_piece(&mut course, &mut events)?,
+            }
             while due.is_before(&self.run.clock) {
                 let state = self.within(&due).unwrap_or_else(|| self.run.state.clone());
                 let inputs = self.dynamics.inputs_within(due.time(), &state);
                 show(&self.sample_at(due.time(), state, inputs));
                 due = after(due);
             }
+            self.hold();
             let sample = self.sample();
             if !self.run.clock.is_before(&due) {
                 show(&sample);

@@ -98,6 +98,13 @@ where
     /// of a time that is a multiple of the step size but for rounding no step is left over and none is lost.
     #[inline]
     pub(super) fn advance_along(&mut self, course: &mut Course<R>) -> Result<Step<R>, SimulationError> {
+        let (h, end) = self.next_along(course)?;
+        self.advance_by(h, end)
+    }
+
+    /// Its size, and the clock at its end.
+    #[inline]
+    pub(super) fn next_along(&self, course: &mut Course<R>) -> Result<(R, Clock<R>), SimulationError> {
         if course.steps == 0 {
             let (time, steps) = (self.time().to_f64(), self.integrator.most_steps());
             return Err(SimulationError::TooManySteps { time, end: course.goal.time().to_f64(), steps });
@@ -107,9 +114,9 @@ where
         let (left, there) = clock.step_to(&course.goal);
         let h = course.h;
         if left > h * R::from_f64(1.0 + SLIVER) {
-            return self.advance_by(h, clock.after(h));
+            return Ok((h, clock.after(h)));
         }
-        self.advance_by(left, there)
+        Ok((left, there))
     }
 }
 

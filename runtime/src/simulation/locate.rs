@@ -12,12 +12,12 @@ use crate::real::Real;
 
 /// The most trials of one search: those of the ITP method are at most 54 in double precision; the others are for methods that
 /// shorten the repeated steps.
-const TRIALS: u32 = 1000;
+pub(super) const TRIALS: u32 = 1000;
 
 /// All of a simulation that a step changes.
 #[derive(Clone)]
-struct Standing<Real, Run, Memory, Formulation, Inputs> {
-    run: Run,
+pub(super) struct Standing<Real, Run, Memory, Formulation, Inputs> {
+    pub run: Run,
     memory: Memory,
     formulation: Formulation,
     inputs: Option<Inputs>,
@@ -26,7 +26,7 @@ struct Standing<Real, Run, Memory, Formulation, Inputs> {
 }
 
 /// [`Standing`] of a simulation with these methods.
-type StandingOf<M, R, F, D, I> =
+pub(super) type StandingOf<M, R, F, D, I> =
     Standing<R, Run<R, M>, <I as Method<R>>::Memory<M>, <F as Formulation<R, M>>::Memory, D>;
 
 /// Moving, until something happens.
@@ -150,8 +150,17 @@ where
         model.unwrap(&mut outputs, previous);
         outputs
     }
+}
 
-    fn standing(&self) -> StandingOf<M, R, F, M::Inputs, I> {
+/// Back to where a simulation stood.
+impl<'m, R, M, F, S, I> Simulation<'m, M, R, F, S, I>
+where
+    R: Real,
+    M: Assemble<R>,
+    F: Formulation<R, M>,
+    I: Method<R>,
+{
+    pub(super) fn standing(&self) -> StandingOf<M, R, F, M::Inputs, I> {
         Standing {
             run: self.run.clone(),
             memory: self.memory.clone(),
@@ -162,7 +171,7 @@ where
         }
     }
 
-    fn stand(&mut self, standing: StandingOf<M, R, F, M::Inputs, I>) {
+    pub(super) fn stand(&mut self, standing: StandingOf<M, R, F, M::Inputs, I>) {
         self.run = standing.run;
         self.memory = standing.memory;
         self.dynamics.memory = standing.formulation;
@@ -173,7 +182,7 @@ where
 }
 
 /// The choice of the next time in a bracket: regula falsi, held to the bracket that bisection would have by now.
-struct Search<R> {
+pub(super) struct Search<R> {
     /// ε 2ⁿ⁻ʲ, half the widest bracket that is allowed after the next trial.
     radius: R,
     /// κ₁ of the truncation κ₁ (b − a)², 1/s.
@@ -183,7 +192,7 @@ struct Search<R> {
 
 impl<R: Real> Search<R> {
     /// For a bracket at most 1/4ε times as wide as the tolerance: as many doublings as that takes, 51 in double precision.
-    fn new(width: R, tolerance: R) -> Self {
+    pub fn new(width: R, tolerance: R) -> Self {
         let two = R::from_f64(2.0);
         // ε 2ⁿ with n one more than bisection needs.
         let mut radius = tolerance;
@@ -194,7 +203,7 @@ impl<R: Real> Search<R> {
     }
 
     /// A time between `low` and `high`, near the part of it that is given.
-    fn next(&mut self, low: R, high: R, part: R) -> R {
+    pub fn next(&mut self, low: R, high: R, part: R) -> R {
         let half = R::from_f64(0.5);
         let width = high - low;
         let middle = low + half * width;

@@ -2,13 +2,14 @@
 //!
 //! Joins a model, a formulation, an input source and an integrator, each a type of its own. What happens inside one
 //! step, and how its failure is named, is `step.rs`, whether its result is in proportion `proportion.rs`; the clock is
-//! the `clock.rs` of the crate, runs and their bounds `course.rs`, dense output `between.rs`, events are `event.rs` and `locate.rs`. Nothing
-//! here allocates.
+//! the `clock.rs` of the crate, runs and their bounds `course.rs`, dense output `between.rs`, events are `event.rs` and `locate.rs`, gates that
+//! are held within a step `held.rs`. Nothing here allocates.
 
 mod between;
 mod course;
 mod dynamics;
 mod event;
+mod held;
 mod implicit;
 mod locate;
 mod proportion;
@@ -18,11 +19,13 @@ mod step;
 
 pub use dynamics::MechanismDynamics;
 pub use event::{Direction, Event, Occurrence};
+pub use held::EVENTS_PER_STEP;
 pub use sample::{Residual, Sample, Samples, Solution, SolutionOf};
 pub use singularity::NearSingular;
 pub use step::Step;
 pub(crate) use step::name_singularity;
 
+use crate::assembly::held;
 use crate::clock::Clock;
 use crate::error::SimulationError;
 use crate::formulation::{Formulation, LagrangeIndex1};
@@ -109,7 +112,7 @@ impl<'m, R: Real, M: Mechanism<R>> Simulation<'m, M, R> {
         let run = Run {
             step: None,
             clock: Clock::at(R::ZERO),
-            state: start,
+            state: held(model, R::ZERO, start),
             outputs: None,
             reciprocal_condition: R::ONE,
             near_singular: None,
@@ -206,6 +209,7 @@ impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simula
     /// finite, and not so large that a step would leave it standing.
     pub fn start_time(mut self, seconds: R) -> Self {
         self.run.clock = Clock::at(seconds);
+        self.run.state = held(self.model(), seconds, self.run.state.clone());
         self.run.passage = Passage::new();
         // Forgets a step that ended at another time.
         self.memory = self.integrator.memory();

@@ -53,6 +53,8 @@ pub struct Step<R = f64> {
     pub friction_residual: R,
     /// Stages that broke down and were stepped over.
     pub stepped_over: u32,
+    /// Gates that opened or closed in it, where a mechanism holds them.
+    pub gates_changed: u32,
 }
 
 impl<'m, R, M, F, S, I> Simulation<'m, M, R, F, S, I>
@@ -66,6 +68,16 @@ where
     /// One step of size `h`, after which the clock shows `clock`; an error leaves everything as it was.
     #[inline]
     pub(super) fn advance_by(&mut self, h: R, clock: Clock<R>) -> Result<Step<R>, SimulationError> {
+        if self.run.state.gates.as_slice().is_empty() {
+            self.step_by(h, clock)
+        } else {
+            self.advance_held(h, clock)
+        }
+    }
+
+    /// The same with the gates of the state throughout.
+    #[inline]
+    pub(super) fn step_by(&mut self, h: R, clock: Clock<R>) -> Result<Step<R>, SimulationError> {
         let model = self.model();
         if !self.run.start_checked {
             if let Some(what) = not_finite(model, &self.run.state) {
@@ -167,6 +179,7 @@ where
             rejections: stepped.rejections,
             friction_residual: watch.friction,
             stepped_over: watch.stepped_over,
+            gates_changed: 0,
         };
         Ok((step, next, clock))
     }

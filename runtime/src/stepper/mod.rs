@@ -258,6 +258,9 @@ where
 
     #[inline(always)]
     fn advance(&mut self, inputs: &M::Inputs, h: R) -> Result<Tick<R>, StepError> {
+        if !self.state.gates.as_slice().is_empty() {
+            return Err(StepError::HeldGates);
+        }
         let Self { model, method, clock, state, memory, .. } = self;
         let (begin, end) = (clock.time(), clock.after(h));
         let formulation = method.formulation(h);

@@ -230,6 +230,8 @@ impl Random {
             inputs: self.vector(e.symbols.inputs.len()),
             // Of the size that their authors say.
             internal: states.map(|state| state.scale.unwrap_or(1.0) * self.unit()).collect(),
+            // Of those that hold gates there is none here.
+            gates: Vec::new(),
             two_alpha: 10.0 + self.unit(),
             beta_squared: 25.0 + self.unit(),
             acceleration: self.vector(layout.velocities()),

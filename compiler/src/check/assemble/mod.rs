@@ -37,7 +37,7 @@ pub use freedoms::Mobility;
 pub use gap::Gap;
 pub use mobility::{full_squares, rank};
 pub use partition::partition;
-pub use point::{Ancestry, Point, retract};
+pub use point::{Ancestry, Point, live, retract};
 pub use scales::row_scales;
 
 use super::messages;

@@ -49,7 +49,26 @@ impl<'a> Point<'a> {
         point.set_q(&assembly.q);
         point.set_v(&assembly.v);
         point.set(&equations.symbols.internal, &mechanism.internal_starts());
+        point.hold();
         point
+    }
+
+    /// The gates that are held as they are at this state.
+    pub fn gates(&mut self) -> Vec<f64> {
+        let equations = self.equations;
+        if equations.guards.is_empty() {
+            return Vec::new();
+        }
+        self.evaluate(&Ancestry::of(equations, equations.guards.iter().flatten().copied()));
+        let guards = equations.guards.iter();
+        guards.map(|guard| live(guard.map(|node| self.get(node)))).collect()
+    }
+
+    /// Takes them so.
+    pub fn hold(&mut self) {
+        let gates = self.gates();
+        let equations = self.equations;
+        self.set(&equations.symbols.gates, &gates);
     }
 
     pub fn set(&mut self, nodes: &[Node], values: &[f64]) {
@@ -78,6 +97,11 @@ impl<'a> Point<'a> {
     pub fn get(&self, node: Node) -> f64 {
         self.values[node.index()]
     }
+}
+
+/// The gate of a contact by its gap and the force of its law: 1 where surfaces are in one another and press, else 0.
+pub fn live([gap, force]: [f64; 2]) -> f64 {
+    if gap < 0.0 && force > 0.0 { 1.0 } else { 0.0 }
 }
 
 /// Moves q by an increment in the space of velocities: lengths add, pairs turn by the angle, quaternions by the

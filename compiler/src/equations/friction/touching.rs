@@ -10,16 +10,20 @@
 use super::Slip;
 use crate::equations::jet::Moving;
 use crate::equations::laws::{Known, Laws};
-use crate::model::{BodyId, Expr, Frame, Load, Place, Rotor, Sliding, Space, Spot};
+use crate::model::{BodyId, Expr, Frame, Load, LoadId, Place, Rotor, Sliding, Space, Spot};
 use crate::symbolic::{Compare, Scalar};
 
 /// Of each gap of a contact.
 pub(super) fn slips<'g>(laws: &Laws<'g>, contact: &Load) -> Vec<Slip<'g>> {
     let forces = contact.along().zip(&contact.law);
-    let slips = forces.zip(&contact.slides).map(|((gap, force), sliding)| Slip {
-        pressed: laws.value(force),
-        closed: Some(laws.value(gap).compare(Compare::Less, laws.g.zero())),
-        ..slip(laws, sliding)
+    let id = laws.mechanism.loads.iter().position(|load| std::ptr::eq(load, contact)).map(LoadId);
+    let slips = forces.zip(&contact.slides).enumerate().map(|(which, ((gap, force), sliding))| {
+        // Where gates are held, so is what resists.
+        let closed = match id.filter(|_| !contact.ungated.is_empty()) {
+            Some(id) => laws.g.number(0.5).compare(Compare::Less, laws.gate(id, which)),
+            None => laws.value(gap).compare(Compare::Less, laws.g.zero()),
+        };
+        Slip { pressed: laws.value(force), closed: Some(closed), ..slip(laws, sliding) }
     });
     slips.collect()
 }

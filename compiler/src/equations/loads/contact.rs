@@ -5,6 +5,7 @@ use super::{LoadKind, LoadTerms, along, no_rotors};
 use crate::equations::laws::Laws;
 use crate::forms::{Acts, Form, Law, LoadForm};
 use crate::model::Load;
+use crate::symbolic::Node;
 
 pub static LOAD: LoadKind = LoadKind {
     form: LoadForm {
@@ -36,4 +37,15 @@ fn terms<'g>(laws: &Laws<'g>, load: &Load) -> LoadTerms<'g> {
     load.along()
         .zip(&load.law)
         .fold(LoadTerms::none(laws), |sum, (gap, force)| sum.and(along(&laws.jet(gap), laws.value(force))))
+}
+
+/// Of each gate that is held over a step, in their order: the gap, and the force without the gate. The gate is that of the state where the
+/// gap is below zero and the force above.
+pub fn guards(laws: &Laws) -> Vec<[Node; 2]> {
+    let contacts = laws.mechanism.loads.iter();
+    let of = |load: &Load| -> Vec<[Node; 2]> {
+        let guards = load.along().zip(&load.ungated);
+        guards.map(|(gap, force)| [laws.value(gap).bare, laws.value(force).bare]).collect()
+    };
+    contacts.flat_map(of).collect()
 }

@@ -1,8 +1,9 @@
-//! Laws of contacts: forces by the depth d = −g > 0 and its rate ḋ = −ġ. None pulls.
+//! Laws of contacts: forces by the depth d = −g > 0 and its rate ḋ = −ġ. None pulls. Where gates are held, it is they that end a touch where the
+//! force would pull: the law is then what it is without that end, and smooth over a step.
 
 use super::pairs::Meeting;
 use super::restitution::{self, Damping};
-use super::{closing, depth, product, quotient, sum};
+use super::{closing, depth, product, pushing, quotient, sum};
 use crate::diagnostics::Region;
 use crate::forms::{ContactLaw, ContactLawForm};
 use crate::messages;
@@ -53,7 +54,7 @@ impl<'d> Lowering<'d> {
                     fold::unary(Function1::Neg, meeting.gap.clone()),
                     scale.clone(),
                 );
-                let elastic = product(force.clone(), powered(relative, exponent));
+                let elastic = product(force.clone(), self.powered(relative, exponent));
                 let stiffness = quotient(force, fold::power(scale, exponent));
                 let (force, speed) = self.dissipating(named, region, elastic, meeting, way)?;
                 Some(NamedLaw {
@@ -74,7 +75,10 @@ impl<'d> Lowering<'d> {
         let stiffness = Dimension::TORQUE.over(way).over(way);
         let k = self.not_negative(named, "stiffness", stiffness)?;
         let c = self.not_negative(named, "damping", stiffness.times(Dimension::TIME))?;
-        let (d, rate) = (depth(&meeting.gap), closing(&meeting.gap));
+        let held = self.holds_gates();
+        let gap = &meeting.gap;
+        let d = if held { fold::unary(Function1::Neg, gap.clone()) } else { depth(gap) };
+        let rate = closing(gap);
         let elastic = product(k.clone(), d);
         let resisted = match named.entry("release") {
             None => product(c, rate),
@@ -90,7 +94,8 @@ impl<'d> Lowering<'d> {
                 product(product(c, weight), rate)
             }
         };
-        Some((fold::binary(Function2::Max, sum(elastic, resisted), Expr::Number(0.0)), k))
+        let force = sum(elastic, resisted);
+        Some((if held { force } else { pushing(force) }, k))
     }
 
     /// F = K d^{3/2} with K = 4/(3(σ₁ + σ₂)) √R, σ = (1 − ν²)/E (Hertz 1882; Johnson, Contact Mechanics, 1985, 4.2).
@@ -104,7 +109,7 @@ impl<'d> Lowering<'d> {
         let modulus = quotient(Expr::Number(4.0 / 3.0), compliance);
         let stiffness = product(modulus, fold::unary(Function1::Sqrt, radius));
         let elastic =
-            product(stiffness.clone(), powered(fold::unary(Function1::Neg, meeting.gap.clone()), 1.5));
+            product(stiffness.clone(), self.powered(fold::unary(Function1::Neg, meeting.gap.clone()), 1.5));
         Some((elastic, stiffness))
     }
 
@@ -174,7 +179,7 @@ impl<'d> Lowering<'d> {
             return Some((elastic, speed));
         }
         let factor = sum(Expr::Number(1.0), product(b, closing(&meeting.gap)));
-        Some((product(elastic, fold::binary(Function2::Max, factor, Expr::Number(0.0))), speed))
+        Some((product(elastic, if self.holds_gates() { factor } else { pushing(factor) }), speed))
     }
 
     fn by_restitution(
@@ -234,10 +239,13 @@ impl<'d> Lowering<'d> {
         }
         Some(value)
     }
-}
 
-/// max(x, 0)ⁿ; what is no whole power by a base that is not zero, where its slope is finite.
-fn powered(x: Expr, exponent: f64) -> Expr {
-    let least = if exponent.fract() == 0.0 { 0.0 } else { LEAST };
-    fold::power(fold::binary(Function2::Max, x, Expr::Number(least)), exponent)
+    /// max(x, 0)ⁿ; what is no whole power by a base that is not zero, where its slope is finite.
+    fn powered(&self, x: Expr, exponent: f64) -> Expr {
+        if exponent == 1.0 && self.holds_gates() {
+            return x;
+        }
+        let least = if exponent.fract() == 0.0 { 0.0 } else { LEAST };
+        fold::power(fold::binary(Function2::Max, x, Expr::Number(least)), exponent)
+    }
 }

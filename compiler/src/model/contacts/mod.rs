@@ -1,7 +1,8 @@
 //! Contacts and limits: what touches, by how much, and what that exerts, as expressions of positions and their rates.
 //!
 //! A contact is a load along its gap g: Q += Jᵀ F with J the gradient of g, so that both bodies feel the same force in opposite
-//! directions. F = law where g < 0, else 0: a choice, not a branch, by a depth d = max(−g, 0) that no root or power spoils.
+//! directions. F = law where g < 0, else 0: a choice, not a branch, by a depth d = max(−g, 0) that no root or power spoils. Where gates are
+//! held, the choice is by a number that stays what it is within a step, and the law goes on beyond where it would end.
 //! Gaps by pairs of surfaces stand in `pairs`, laws in `laws`.
 
 mod laws;
@@ -19,7 +20,7 @@ use super::{
 };
 use crate::diagnostics::Region;
 use crate::messages;
-use crate::syntax::{self, ContactLawTerm, ContactTerm, Entry, Path, RangeTerm};
+use crate::syntax::{self, ContactLawTerm, ContactTerm, Entry, OptionEntry, Path, RangeTerm};
 use crate::units::Dimension;
 use pairs::Meeting;
 use rubbing::Slides;
@@ -47,6 +48,8 @@ enum Found<T> {
 #[derive(Clone)]
 struct Forces {
     along: Vec<Expr>,
+    /// The same without the gates, where these are held.
+    ungated: Vec<Expr>,
     /// Of a named law: K and n of its elastic part K dⁿ, and the impact speed that it is meant for.
     elastic: Option<[Expr; 3]>,
 }
@@ -78,12 +81,18 @@ impl<'d> Lowering<'d> {
         let definition = self.definition;
         let index = definition.contacts.iter().position(|it| std::ptr::eq(it, contact))?;
         let geometry = self.geometry(index)?;
-        let Forces { along: law, elastic } = self.forces(index)?;
+        let Forces { along: law, ungated, elastic } = self.forces(index)?;
         let on = geometry.meetings.into_iter().map(|it| Subject::Expression(it.gap, geometry.dimension));
         let values = elastic.into_iter().flatten().map(|value| vec![value]).collect();
         let (name, form) = (name(&contact.name), contact.form);
         let (on, slides) = (on.collect(), Vec::new());
-        Some(Load { name, form, on, values, law, states: 0..0, teeth: None, normal: None, slides })
+        Some(Load { name, form, on, values, law, states: 0..0, teeth: None, normal: None, slides, ungated })
+    }
+
+    /// `options { contact = held; }`
+    pub(super) fn holds_gates(&self) -> bool {
+        let options = &self.definition.options;
+        options.iter().any(|it| matches!(it, OptionEntry::Contact(word) if word.text == "held"))
     }
 
     /// Which contact a quantity is of.
@@ -248,7 +257,9 @@ impl<'d> Lowering<'d> {
         self.contacts.forces[index] = Found::Open;
         let outer = self.contacts.law_of;
         let forces = self.geometry(index).and_then(|geometry| {
-            let mut forces = Forces { along: Vec::new(), elastic: None };
+            let held = self.holds_gates();
+            let usage = if held { Use::HELD_LAW } else { Use::LOAD };
+            let mut forces = Forces { along: Vec::new(), ungated: Vec::new(), elastic: None };
             for (which, meeting) in geometry.meetings.iter().enumerate() {
                 self.contacts.law_of = Some((index, which));
                 let law = match &contact.law {
@@ -258,14 +269,21 @@ impl<'d> Lowering<'d> {
                         law.force
                     }
                     ContactLawTerm::Expression(term) => {
-                        let typed = self.value(term, Use::LOAD)?;
+                        let typed = self.value(term, usage)?;
                         let what = messages::quoted(&contact.name.text);
                         let dimension = Dimension::TORQUE.over(geometry.dimension);
                         let law = self.expect_dimension(typed, dimension, &what)?;
-                        fold::binary(Function2::Max, law, Expr::Number(0.0))
+                        if held { law } else { pushing(law) }
                     }
                 };
-                forces.along.push(gated(&meeting.gap, law));
+                if held {
+                    let gate = Expr::Gate(self.load_of_contact(index), which);
+                    let closed = Condition::Compare(Comparison::Less, Expr::Number(0.5), gate);
+                    forces.along.push(where_closed(closed, law.clone()));
+                    forces.ungated.push(law);
+                } else {
+                    forces.along.push(gated(&meeting.gap, law));
+                }
             }
             Some(forces)
         });
@@ -289,8 +307,16 @@ fn of_deepest(meetings: &[Meeting], values: Vec<Expr>) -> Option<Expr> {
 
 /// A force where there is contact.
 fn gated(gap: &Expr, law: Expr) -> Expr {
-    let touches = Condition::Compare(Comparison::Less, gap.clone(), Expr::Number(0.0));
-    Expr::If(Box::new(touches), Box::new(law), Box::new(Expr::Number(0.0)))
+    where_closed(Condition::Compare(Comparison::Less, gap.clone(), Expr::Number(0.0)), law)
+}
+
+fn where_closed(closed: Condition, law: Expr) -> Expr {
+    Expr::If(Box::new(closed), Box::new(law), Box::new(Expr::Number(0.0)))
+}
+
+/// max(F, 0).
+fn pushing(force: Expr) -> Expr {
+    fold::binary(Function2::Max, force, Expr::Number(0.0))
 }
 
 /// d = max(−g, 0).

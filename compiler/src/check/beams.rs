@@ -1,0 +1,150 @@
+//! Beams within the reach of their theory: slender ones, whose shapes suit what holds them, and where nothing stiffens them none that a
+//! turn or a thrust would soften or stiffen by much.
+
+use super::assemble::{Ancestry, Assembly, Point};
+use super::rules::at_defaults;
+use super::warnings::Wanted;
+use crate::beams::{Shapes, Way};
+use crate::diagnostics::{Diagnostics, Lint};
+use crate::equations::Equations;
+use crate::messages;
+use crate::model::{Beam, Body, BodyId, Expr, Frame, Mechanism, Place};
+use crate::solve::Solved;
+use std::f64::consts::PI;
+
+/// Lengths in radii of gyration √(I/A) below which shear and the turning of sections are seen (Timoshenko).
+const SLENDER: f64 = 20.0;
+/// Of the first clamped frequency and of Euler's load: squares of a tenth matter from here on.
+const MUCH: f64 = 1.0 / 3.0;
+/// The first root of the clamped beam, squared.
+const CLAMPED: f64 = 1.875_104_068_711_961_1 * 1.875_104_068_711_961_1;
+
+/// A beam is long in its thickness.
+pub(super) fn beams_are_slender(mechanism: &Mechanism, wanted: &mut Wanted) {
+    for body in &mechanism.bodies {
+        let Some(beam) = &body.beam else { continue };
+        let value = |way| at_defaults(mechanism, beam.rigidity(way));
+        let (Some(axial), Some(bending)) = (value(Way::Axial), value(Way::Bending)) else { continue };
+        let ratio = beam.slender.length / (bending / axial).sqrt();
+        if ratio < SLENDER && has_bending(beam) {
+            wanted.push(Lint::Slender, body.name.span, messages::thick_beam(&body.name.text, ratio, SLENDER));
+        }
+    }
+}
+
+/// Shapes that are clamped at the start belong to a beam that something clamps there.
+pub(super) fn clamps_hold(mechanism: &Mechanism, wanted: &mut Wanted) {
+    for (index, body) in mechanism.bodies.iter().enumerate() {
+        let Some(beam) = &body.beam else { continue };
+        let shapes = beam.slender.shapes;
+        if !matches!(shapes, Shapes::Clamped | Shapes::Static) || !has_bending(beam) {
+            continue;
+        }
+        let at_start = mechanism.joints.iter().filter(|joint| {
+            [&joint.first, &joint.second]
+                .into_iter()
+                .any(|place| x_of(place, index) == Some(beam.slender.from))
+        });
+        let at_start: Vec<_> = at_start.collect();
+        if let [only] = at_start[..]
+            && !only.form.keeps_orientation
+        {
+            let (joint, kind) = (&only.name.text, only.form.call.word);
+            let message = messages::clamp_that_turns(&body.name.text, shapes.word(), joint, kind);
+            wanted.push(Lint::Slender, body.name.span, message);
+        }
+    }
+}
+
+/// Warnings of beams without stiffening that turn fast or are pressed together at the start, as far as no input decides that.
+pub fn unstiffened<'m>(
+    mechanism: &'m Mechanism,
+    equations: &Equations,
+    solved: &Solved,
+    assembly: &Assembly,
+    found: &mut Diagnostics,
+) {
+    let is_soft = |body: &'m Body| -> Option<&'m Beam> {
+        let beam = body.beam.as_ref()?;
+        let covered = mechanism.allowed.covers(Lint::Stiffening, body.name.span);
+        (has_bending(beam) && beam.slender.shortenings.is_empty() && !covered).then_some(beam)
+    };
+    if !mechanism.bodies.iter().any(|body| is_soft(body).is_some()) {
+        return;
+    }
+    let mut point = Point::at_start(mechanism, equations, assembly);
+    let index1 = &solved.index1;
+    let results = || index1.acceleration.iter().chain(&index1.lambda).copied();
+    point.evaluate(&Ancestry::of(equations, results()));
+    let values =
+        |nodes: &[crate::symbolic::Node]| nodes.iter().map(|node| point.get(*node)).collect::<Vec<_>>();
+    let (acceleration, lambda) = (values(&index1.acceleration), values(&index1.lambda));
+    point.set(&equations.symbols.acceleration, &acceleration);
+    point.set(&equations.symbols.lambda, &lambda);
+    let motions = equations.motions.iter().flat_map(|motion| motion.flat());
+    let reactions = equations.reactions.iter().flatten().copied();
+    point.evaluate(&Ancestry::of(equations, motions.chain(reactions)));
+    let by_inputs = results().any(|node| equations.takes_inputs(node));
+    for (index, body) in mechanism.bodies.iter().enumerate() {
+        let Some(beam) = is_soft(body) else { continue };
+        let value = |expr: &Expr| at_defaults(mechanism, expr);
+        let (Some(bending), Some(mass)) = (value(beam.rigidity(Way::Bending)), value(&body.mass)) else {
+            continue;
+        };
+        let length = beam.slender.length;
+        let name = &body.name.text;
+        let rate = point.get(equations.motions[index].rate[0]).abs();
+        let natural = CLAMPED * (bending / (mass * length.powi(3))).sqrt();
+        if rate > MUCH * natural {
+            found.warning(Lint::Stiffening, body.name.span, messages::fast_beam(name, rate, natural));
+            continue;
+        }
+        let along: Vec<f64> =
+            equations.motions[index].orientation.iter().map(|node| point.get(*node)).collect();
+        let ends = thrusts(mechanism, index, beam, |joint| {
+            let force = &equations.reactions[joint];
+            (0..2).map(|k| along[k] * point.get(force[k])).sum()
+        });
+        let (thrust, factor) = match ends {
+            [Some(start), Some(end)] => (0.5 * (start + end), 1.0),
+            [Some(only), None] | [None, Some(only)] => (only, 0.25),
+            [None, None] => continue,
+        };
+        let euler = factor * PI * PI * bending / (length * length);
+        if !by_inputs && thrust > MUCH * euler {
+            found.warning(Lint::Stiffening, body.name.span, messages::pressed_beam(name, thrust, euler));
+        }
+    }
+}
+
+/// What joints in the first half and in the second half press the beam together with.
+fn thrusts(
+    mechanism: &Mechanism,
+    body: usize,
+    beam: &Beam,
+    along: impl Fn(usize) -> f64,
+) -> [Option<f64>; 2] {
+    let middle = beam.slender.from + 0.5 * beam.slender.length;
+    let mut ends = [None, None];
+    for (index, joint) in mechanism.joints.iter().enumerate() {
+        // The reaction is what the second place gets.
+        for (place, sign) in [(&joint.first, -1.0), (&joint.second, 1.0)] {
+            let Some(x) = x_of(place, body) else { continue };
+            let (end, inward) = if x < middle { (0, 1.0) } else { (1, -1.0) };
+            *ends[end].get_or_insert(0.0) += inward * sign * along(index);
+        }
+    }
+    ends
+}
+
+/// Where on a beam a place is, if it is on it.
+fn x_of(place: &Place, body: usize) -> Option<f64> {
+    match &place.at[0] {
+        Expr::Number(x) if place.frame == Frame::Body(BodyId(body)) => Some(*x),
+        _ => None,
+    }
+}
+
+fn has_bending(beam: &Beam) -> bool {
+    beam.slender.modes.iter().any(|mode| mode.way == Way::Bending)
+}

@@ -1,0 +1,15 @@
+//! A law whose force jumps with what is given from outside, so that no state says whether it pushes.
+
+linkwright::mechanism! {
+    planar Bench {
+        gravity [m/s^2] = (0, -9.81);
+        input soft [N/m];
+        disk ball { mass [kg] = 1; radius [m] = 0.1; }
+        surface floor: half_plane(line(ground(0, 0) [m], ground(1, 0) [m]));
+        contact touch: between(ball.surface, floor) = soft*touch.depth;
+        start { ball.center.x [m] = 0; ball.center.y [m] = 1; ball.angle [rad] = 0; }
+        options { contact = held; }
+    }
+}
+
+fn main() {}
