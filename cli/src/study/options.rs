@@ -134,7 +134,7 @@ A summary goes to standard error. A run that fails keeps what was computed, says
 ";
 
 const PLOT: &str = "\
-Plots what a run shows over time, as SVG: a panel for each quantity.
+Plots what a run shows over time, or against another quantity, as SVG: a panel for each quantity.
 
 usage: linkwright plot [options] FILE
 

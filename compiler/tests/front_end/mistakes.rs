@@ -215,6 +215,10 @@ const MISTAKES: &[(&str, &str)] = &[
     ),
     ("output o [m] = base.travel;", "the revolute joint `base` has no travel; it has angle, rate"),
     (
+        "output o [N] = base.force;",
+        "the revolute joint `base` has no force; it has angle, rate, and what it carries is `base.reaction.x`, `.y` or `.size`, in outputs",
+    ),
+    (
         "output o [rad] = block.angle;",
         "`block` is a particle and has no orientation; write `body`, `rod`, `disk` or `box` for one that turns",
     ),

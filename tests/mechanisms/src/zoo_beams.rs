@@ -40,6 +40,7 @@ linkwright::mechanism! {
 
 linkwright::mechanism! {
     /// Beams welded to the ground, to one another at sections that turn, and to a sled; a loop through them.
+    #[allow(stiffening)]
     pub planar Frame {
         param offset [rad] = 0.1;
         gravity [m/s^2] = (0, -9.81);
