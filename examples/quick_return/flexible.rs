@@ -3,11 +3,11 @@
 //! Torque (26) of the rigid mechanism and slider force (24) drive it; the coupler starts straight and at rest in itself, and nothing damps
 //! it. What is said about these runs is in `report.rs`.
 
-use crate::progress::Progress;
 use crate::runs::{INTERVALS, STABILISATION};
 use crate::tables::{Table, write_csv};
 use linkwright::{AssembleExt, Baumgarte, Sampled, Simulation, State};
-use linkwright_models::quick_return::{ConstantSpeed, QuickReturn, slider_force};
+use linkwright_examples::progress::Progress;
+use linkwright_examples::quick_return::{ConstantSpeed, QuickReturn, slider_force};
 use std::error::Error;
 use std::f64::consts::{PI, TAU};
 use std::io;

@@ -1,6 +1,6 @@
 //! The quick return in motion: two strokes at a nominal crank speed, under the torque and the force of the source.
 //!
-//! The model and the laws (24), (25), (26) are those of `linkwright_models::quick_return`; here they are integrated and
+//! The model and the laws (24), (25), (26) are those of `linkwright_examples::quick_return`; here they are integrated and
 //! the results gathered. What is said about them is in `report.rs`.
 
 use crate::drawing::Frame;
