@@ -11,5 +11,6 @@ pub mod quick_return;
 /// `name` in the target directory, which need not be the workspace's own.
 pub fn in_target(name: &str) -> PathBuf {
     let target = std::env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
-    target.unwrap_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join("../target")).join(name)
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    target.unwrap_or_else(|| here.parent().unwrap_or(here).join("target")).join(name)
 }
