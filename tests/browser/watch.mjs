@@ -38,7 +38,14 @@ try {
       const stage = document.getElementById("motion").contentDocument?.getElementById("stage");
       return stage && stage.toDataURL() !== old;
     }, before);
-    const moved = await picture();
+    // A busy machine draws once more when the size of the page is known.
+    let moved = await picture();
+    for (let tries = 0; tries < 20; tries += 1) {
+      await page.waitForTimeout(300);
+      const next = await picture();
+      if (next === moved) break;
+      moved = next;
+    }
     const begin = Date.now();
     fs.writeFileSync(file, text.replace("crank.start", "crank.begin"));
     await page.locator(".message.error").waitFor();
