@@ -102,6 +102,10 @@ def draw(model):
     return None
 
 
+def manner(name):
+    return "at rest" if name in AT_REST else "in motion"
+
+
 def page():
     sections = {title: [] for title, _ in SECTIONS}
     for name, file, mechanism in models():
@@ -117,7 +121,7 @@ def page():
         for start in range(0, len(entries), 3):
             row = entries[start:start + 3]
             cells = [
-                f'<img src="gallery/{name}.svg" width="280" alt="{mechanism} in motion"><br>[`{mechanism}`](../models/src/{file}.rs)<br>'
+                f'<img src="gallery/{name}.svg" width="280" alt="{mechanism} {manner(name)}"><br>[`{mechanism}`](../models/src/{file}.rs)<br>'
                 f"{sentence(file, mechanism)}" for name, file, mechanism in row
             ]
             lines.append("| " + " | ".join(cells + [""] * (3 - len(row))) + " |")

@@ -120,6 +120,12 @@ struct Moving {
     styles: Vec<String>,
 }
 
+impl Moving {
+    fn new(moments: &[Moment], style: String, frame: impl Fn(&Moment) -> String) -> Moving {
+        Moving { frames: moments.iter().map(frame).collect(), styles: vec![style] }
+    }
+}
+
 /// The picture; the motion has `speed` times its speed.
 pub fn picture(name: &str, film: &Film, speed: f64) -> String {
     let (scene, times) = (&film.scene, &film.run.trajectory.times);
@@ -141,7 +147,7 @@ pub fn picture(name: &str, film: &Film, speed: f64) -> String {
                 points.extend([[x - r, y - r, z], [x + r, y + r, z]]);
             }
         }
-        let rims = scene.wheels.iter().flat_map(|wheel| rim(wheel, 8));
+        let rims = scene.wheels.iter().flat_map(|wheel| rim(wheel.center, wheel.about, wheel.radius, 8));
         points.extend(rims.map(|spot| moment.place(spot)));
         points.extend(scene.joints.iter().map(|joint| moment.place(joint.second)));
         points.extend(scene.loads.iter().flat_map(|load| load.ends.iter().map(|end| moment.place(*end))));
@@ -162,7 +168,7 @@ pub fn picture(name: &str, film: &Film, speed: f64) -> String {
                 path(&ends, false)
             }
         };
-        paths.push(Moving { frames: moments.iter().map(frame).collect(), styles: vec![style] });
+        paths.push(Moving::new(&moments, style, frame));
     }
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" width=\"{WIDTH}\" height=\"{HEIGHT}\">\n\
@@ -233,18 +239,16 @@ fn animated(svg: &mut String, attribute: &str, frames: &[String], duration: f64)
     );
 }
 
-/// Places on a pitch circle.
-fn rim(wheel: &Wheel, count: u32) -> impl Iterator<Item = Spot> {
-    let about = wheel.about;
+/// Places on the circle about an axis; the first along x where the axis is z.
+fn rim(center: Spot, about: [f64; 3], radius: f64, count: u32) -> impl Iterator<Item = Spot> {
     // Across the axis: with the coordinate that it has least of.
-    let least = (0..3).min_by(|a, b| about[*a].abs().total_cmp(&about[*b].abs())).unwrap_or_default();
+    let least = (0..3).rev().min_by(|a, b| about[*a].abs().total_cmp(&about[*b].abs())).unwrap_or_default();
     let mut aside = [0.0; 3];
     aside[least] = 1.0;
-    let first = cross(about, aside);
+    let first = cross(aside, about);
     let size = dot(first, first).sqrt().max(1e-12);
     let first = first.map(|x| x / size);
     let second = cross(about, first);
-    let Wheel { radius, center, .. } = wheel.clone();
     (0..count).map(move |k| {
         let (sin, cos) = (f64::from(k) * std::f64::consts::TAU / f64::from(count)).sin_cos();
         let at = [0, 1, 2].map(|k| center.at[k] + radius * (cos * first[k] + sin * second[k]));
@@ -252,56 +256,44 @@ fn rim(wheel: &Wheel, count: u32) -> impl Iterator<Item = Spot> {
     })
 }
 
-/// A pitch circle with a radius, which shows how it turns.
+/// What is round, with a radius that shows how it turns.
+fn round(eye: &Eye, moment: &Moment, center: Spot, about: [f64; 3], radius: f64) -> String {
+    let count = if moment.scene.is_planar { 1 } else { 28 };
+    let spots = rim(center, about, radius, count).map(|spot| eye.spot(moment.place(spot)));
+    let (spots, center) = (spots.collect::<Vec<_>>(), eye.spot(moment.place(center)));
+    if moment.scene.is_planar {
+        return circle(center, spots[0]);
+    }
+    path(&spots, true) + &path(&[center, spots[0]], false)
+}
+
 fn pitch_circle(eye: &Eye, moments: &[Moment], wheel: &Wheel) -> Moving {
-    let frame = |moment: &Moment| {
-        let center = eye.spot(moment.place(wheel.center));
-        let count = if moment.scene.is_planar { 1 } else { 28 };
-        let spots: Vec<[f64; 2]> = rim(wheel, count).map(|spot| eye.spot(moment.place(spot))).collect();
-        if moment.scene.is_planar {
-            return circle(center, spots[0]);
-        }
-        path(&spots, true) + &path(&[center, spots[0]], false)
-    };
-    let style = "fill=\"none\" stroke=\"var(--ink)\" stroke-opacity=\"0.6\" stroke-width=\"1.2\"".to_string();
-    Moving { frames: moments.iter().map(frame).collect(), styles: vec![style] }
+    let style = "fill=\"none\" stroke=\"var(--ink)\" stroke-opacity=\"0.6\" stroke-width=\"1.2\"";
+    let frame = |moment: &Moment| round(eye, moment, wheel.center, wheel.about, wheel.radius);
+    Moving::new(moments, style.to_string(), frame)
 }
 
 /// Bars between spots, and declared shapes.
 fn shapes(paths: &mut Vec<Moving>, eye: &Eye, moments: &[Moment], index: usize, body: &Shape) {
     let hue = HUES[index % HUES.len()];
-    let rims: Option<Vec<[f64; 3]>> = match (body.outline, &body.lengths[..]) {
-        ("disk" | "ball", [radius, ..]) => Some(
-            (0..24)
-                .map(|k| f64::from(k) * std::f64::consts::PI / 12.0)
-                .map(|angle| [radius * angle.cos(), radius * angle.sin(), 0.0])
-                .collect(),
-        ),
-        ("box", [a, b, ..]) => Some(
-            [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]
-                .map(|[x, y]| [x * a / 2.0, y * b / 2.0, 0.0])
-                .to_vec(),
-        ),
-        _ => None,
+    let filled = |opacity: f64| {
+        format!("fill=\"{hue}\" fill-opacity=\"{opacity}\" stroke=\"var(--ink)\" stroke-width=\"1.4\"")
     };
-    if let Some(rim) = rims {
-        let style = format!("fill=\"{hue}\" fill-opacity=\"0.2\" stroke=\"var(--ink)\" stroke-width=\"1.4\"");
-        let frame = |moment: &Moment| {
-            let spot = |at: [f64; 3]| eye.spot(moment.place(fixed(index, at)));
-            if moment.scene.is_planar && body.outline != "box" {
-                return circle(spot([0.0; 3]), spot(rim[0]));
-            }
-            let outline = path(&rim.iter().map(|at| spot(*at)).collect::<Vec<_>>(), true);
-            // What is round shows by a radius how it turns.
-            let radius = if body.outline == "box" {
-                String::new()
-            } else {
-                path(&[spot([0.0; 3]), spot(rim[0])], false)
-            };
-            outline + &radius
-        };
-        paths.push(Moving { frames: moments.iter().map(frame).collect(), styles: vec![style] });
-        return;
+    match (body.outline, &body.lengths[..]) {
+        ("disk" | "ball", [radius, ..]) => {
+            let center = fixed(index, [0.0; 3]);
+            let frame = |moment: &Moment| round(eye, moment, center, [0.0, 0.0, 1.0], *radius);
+            paths.push(Moving::new(moments, filled(0.2), frame));
+            return;
+        }
+        ("box", [a, b, ..]) => {
+            let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+            let corners = corners.map(|[x, y]| fixed(index, [x * a / 2.0, y * b / 2.0, 0.0]));
+            let frame = |moment: &Moment| path(&corners.map(|at| eye.spot(moment.place(at))), true);
+            paths.push(Moving::new(moments, filled(0.2), frame));
+            return;
+        }
+        _ => {}
     }
     let spots = |moment: &Moment| -> Vec<[f64; 2]> {
         moment.spots(index, body).iter().map(|spot| eye.spot(*spot)).collect()
@@ -316,8 +308,7 @@ fn shapes(paths: &mut Vec<Moving>, eye: &Eye, moments: &[Moment], index: usize, 
             let size = (along[0] - center[0]).hypot(along[1] - center[1]).max(1e-9);
             circle(center, [0, 1].map(|k| center[k] + DOT * (along[k] - center[k]) / size))
         };
-        let style = format!("fill=\"{hue}\" fill-opacity=\"0.3\" stroke=\"var(--ink)\" stroke-width=\"1.4\"");
-        paths.push(Moving { frames: moments.iter().map(frame).collect(), styles: vec![style] });
+        paths.push(Moving::new(moments, filled(0.3), frame));
         return;
     }
     let is_plate = |corners: &[[f64; 2]]| body.axis.is_none() && corners.len() > 2;

@@ -36,68 +36,16 @@ impl Command {
     }
 
     /// The options that it has.
-    fn options(self) -> &'static [&'static str] {
-        match self {
-            Command::Run => &[
-                "mechanism",
-                "for",
-                "step",
-                "every",
-                "formulation",
-                "integrator",
-                "set",
-                "input",
-                "show",
-                "out",
-                "json",
-            ],
-            Command::Plot => &[
-                "mechanism",
-                "against",
-                "for",
-                "step",
-                "every",
-                "formulation",
-                "integrator",
-                "set",
-                "input",
-                "show",
-                "out",
-                "json",
-            ],
-            Command::Animate => &[
-                "mechanism",
-                "for",
-                "step",
-                "every",
-                "formulation",
-                "integrator",
-                "set",
-                "input",
-                "svg",
-                "speed",
-                "out",
-                "json",
-            ],
-            Command::Sweep => &[
-                "mechanism",
-                "over",
-                "measure",
-                "for",
-                "step",
-                "every",
-                "formulation",
-                "integrator",
-                "set",
-                "input",
-                "out",
-                "json",
-            ],
-            Command::Draw => &["mechanism", "set", "out", "json"],
-            Command::Watch => {
-                &["mechanism", "port", "for", "step", "every", "formulation", "integrator", "set", "input"]
-            }
-        }
+    fn options(self) -> Vec<&'static str> {
+        let own: &[&str] = match self {
+            Command::Run => &["show", "out", "json"],
+            Command::Plot => &["show", "against", "out", "json"],
+            Command::Animate => &["svg", "speed", "out", "json"],
+            Command::Sweep => &["over", "measure", "out", "json"],
+            Command::Draw => return vec!["mechanism", "set", "out", "json"],
+            Command::Watch => &["port"],
+        };
+        [&OF_A_RUN, own].concat()
     }
 
     fn help(self) -> &'static str {
@@ -111,6 +59,10 @@ impl Command {
         }
     }
 }
+
+/// What every command that moves a mechanism is told.
+const OF_A_RUN: [&str; 8] =
+    ["mechanism", "for", "step", "every", "formulation", "integrator", "set", "input"];
 
 const RUN: &str = "\
 Moves a mechanism and writes what is measured, as comma-separated values.
