@@ -132,6 +132,24 @@ impl<D: 'static> Mechanism<f64> for Engine<D> {
             self.call(Function::Guards, &given, &mut [gaps.as_mut_slice(), forces.as_mut_slice()]);
         }
     }
+    fn is_rigid(&self) -> bool {
+        self.shared.tables.rigid
+    }
+    fn strikes(
+        &self,
+        time: f64,
+        q: &List,
+        v: &List,
+        rates: &mut List,
+        biases: &mut List,
+        restitutions: &mut List,
+    ) {
+        if self.is_rigid() {
+            let given = [(Time, from_ref(&time)), (Q, q.as_slice()), (V, v.as_slice())];
+            let out = &mut [rates.as_mut_slice(), biases.as_mut_slice(), restitutions.as_mut_slice()];
+            self.call(Function::Strikes, &given, out);
+        }
+    }
     fn acceleration(
         &self,
         time: f64,

@@ -24,6 +24,8 @@ pub struct Tables {
     /// The contact of each gate that is held, and the gates at the start.
     pub gates: &'static [&'static str],
     pub start_gates: Vec<f64>,
+    /// Whether contacts are rigid.
+    pub rigid: bool,
     pub internal_scales: Vec<f64>,
     pub inputs: &'static [&'static str],
     pub outputs: &'static [&'static str],
@@ -100,6 +102,7 @@ impl Tables {
             velocities: names::list(equations.layout.velocity_names(mechanism)),
             gates: names_of(mechanism.gates().map(|(load, _)| &mechanism.loads[load.0].name).collect()),
             start_gates: compiled.start_gates(),
+            rigid: mechanism.is_rigid(),
             internal: names_of(states.iter().map(|state| &state.name).collect()),
             internal_scales: states
                 .iter()

@@ -97,8 +97,8 @@ pub use real::Real;
 pub use report::Report;
 pub use rotation::unwrap_angle;
 pub use simulation::{
-    Direction, EVENTS_PER_STEP, Event, MechanismDynamics, NearSingular, Occurrence, Residual, Sample,
-    Samples, Simulation, Solution, SolutionOf, Step,
+    Direction, EVENTS_PER_STEP, Event, IMPACTS_PER_STEP, MechanismDynamics, NearSingular, Occurrence,
+    RIGID_TOUCHING, Residual, Sample, Samples, Simulation, Solution, SolutionOf, Step,
 };
 pub use state::{Derivative, DerivativeOf, Kinematics, Motion, State, StateOf, Variables};
 pub use stepper::{Saved, SavedOf, StepMethod, Stepper, Tick};

@@ -216,7 +216,27 @@ pub trait Mechanism<R: Real>: Variables<R> {
     fn guards(&self, time: R, state: &StateOf<Self, R>, gaps: &mut Self::Gates, forces: &mut Self::Gates) {
         let _ = (time, state, gaps, forces);
     }
-    /// The gates as they are at a state, whatever its own are: 1 where the gap is below zero and the force of the law above, else 0. What
+    /// Whether the contacts are rigid: their gates are then forces, N or N·m, zero where they are open, and the forces of
+    /// [`guards`](Mechanism::guards) are none.
+    #[inline(always)]
+    fn is_rigid(&self) -> bool {
+        false
+    }
+    /// Of each rigid contact the rate ġ of its gap (m/s or rad/s), what of g̈ is there at v̇ = 0 (m/s² or rad/s²), and the share of
+    /// the speed of approach with which it parts.
+    #[inline(always)]
+    fn strikes(
+        &self,
+        time: R,
+        q: &Self::Q,
+        v: &Self::V,
+        rates: &mut Self::Gates,
+        biases: &mut Self::Gates,
+        restitutions: &mut Self::Gates,
+    ) {
+        let _ = (time, q, v, rates, biases, restitutions);
+    }
+    /// The gates as they are at a state, whatever its own are; open where contacts are rigid: 1 where the gap is below zero and the force of the law above, else 0. What
     /// a state that was put together by hand needs, and one at which derivatives are asked for.
     ///
     /// ```text
@@ -225,6 +245,9 @@ pub trait Mechanism<R: Real>: Variables<R> {
     #[inline]
     fn live_gates(&self, time: R, state: &StateOf<Self, R>) -> Self::Gates {
         let zeros = || Self::Gates::zeros(self.gate_names().len());
+        if self.is_rigid() {
+            return zeros();
+        }
         let (mut gates, mut forces) = (zeros(), zeros());
         self.guards(time, state, &mut gates, &mut forces);
         for (gate, &force) in gates.as_mut_slice().iter_mut().zip(forces.as_slice()) {

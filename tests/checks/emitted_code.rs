@@ -105,7 +105,7 @@ fn emitted<M: Model>(model: &M, inputs: &Inputs, function: Function) -> Option<V
             rates.as_slice().to_vec()
         }
         // Of mechanisms that hold gates, which are compared in `held`.
-        Function::Guards => return None,
+        Function::Guards | Function::Strikes => return None,
         Function::InverseDynamics => model.flat_inverse_dynamics(&at, &a),
         Function::Powers => model.flat_powers(&at),
         Function::DriverEfforts => model.flat_driver_efforts(&at, &lambda),

@@ -25,6 +25,7 @@ mod published;
 mod rank;
 mod redundant;
 mod reference;
+mod rigid;
 mod rubbing;
 mod self_check;
 mod space_convergence;

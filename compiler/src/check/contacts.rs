@@ -66,6 +66,11 @@ pub fn contacts(
         if said == Some(name) {
             continue;
         }
+        if load.restitution.is_some() && !equations.friction.is_none() {
+            said = Some(name);
+            errors.error(at, messages::rigid_with_friction(name));
+            continue;
+        }
         if jet.columns.is_empty() && equations.graph.sheet().is_zero(jet.drift) {
             said = Some(name);
             if !mechanism.allowed.covers(Lint::NoEffect, at) {
@@ -74,6 +79,18 @@ pub fn contacts(
             continue;
         }
         let gap = point.get(jet.value);
+        if load.restitution.is_some() {
+            let moved = jet.columns.iter().map(|(column, node)| point.get(*node) * assembly.v[*column]);
+            let rate = point.get(jet.drift) + moved.sum::<f64>();
+            if gap < -ROUNDING {
+                said = Some(name);
+                errors.error(at, messages::rigid_inside(name, -gap, is_angle(load)));
+            } else if gap < ROUNDING && rate < -ROUNDING {
+                said = Some(name);
+                errors.error(at, messages::rigid_closing(name, -rate, is_angle(load)));
+            }
+            continue;
+        }
         if gap < -ROUNDING && !mechanism.allowed.covers(Lint::Penetration, at) {
             said = Some(name);
             errors.error(at, messages::penetration(name, -gap, is_angle(load)));

@@ -232,6 +232,29 @@ pub fn penetration(name: &str, depth: f64, angle: bool) -> String {
     )
 }
 
+pub fn rigid_inside(name: &str, depth: f64, angle: bool) -> String {
+    let depth = if angle { format!("{} rad", number(depth)) } else { format!("{} mm", number(1e3 * depth)) };
+    format!(
+        "at the start `{name}` is closed, by {depth}, and what is rigid is never inside: begin where it is open, or just touches"
+    )
+}
+
+pub fn rigid_closing(name: &str, speed: f64, angle: bool) -> String {
+    let unit = if angle { "rad/s" } else { "m/s" };
+    format!(
+        "at the start `{name}` touches and closes further, at {} {unit}: nobody can say whether the blow has been; begin with the speeds after \
+         it, or where the contact is open",
+        number(speed)
+    )
+}
+
+pub fn rigid_with_friction(name: &str) -> String {
+    format!(
+        "what the rigid `{name}` exerts at a touch is an impulse, and friction by reactions has no share in it yet: give `{name}` a law of its \
+         depth, such as `hunt_crossley`, or leave the friction out"
+    )
+}
+
 pub fn no_contact_time(name: &str) -> String {
     format!(
         "how long a touch of `{name}` takes does not follow from its law: only of `kelvin_voigt`, `hunt_crossley` and `hertz`"

@@ -47,6 +47,9 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
         let of = |(load, _): (LoadId, usize)| mechanism.loads[load.0].name.text.clone();
         let names = mechanism.gates().map(of).collect();
         tables::method(text, "gate_names", "&[&'static str]", &tables::strings(names));
+        if mechanism.is_rigid() {
+            tables::method(text, "is_rigid", "bool", "true");
+        }
     }
     functions(text, &mut helpers, emitter, Interface::Mechanism);
     if mechanism.states.is_empty() {

@@ -161,6 +161,8 @@ pub struct Equations {
     pub friction: Friction,
     /// Of each gate that is held, the gap, and the force of its law without the gate.
     pub guards: Vec<[Node; 2]>,
+    /// Of each gap of a rigid contact, its rate, its second time derivative at v̇ = 0, and the restitution.
+    pub strikes: Vec<[Node; 3]>,
     /// ż of the internal states, likewise, and their values at the start.
     pub internal_rates: Vec<Node>,
     pub internal_starts: Vec<Node>,
@@ -267,7 +269,7 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
     let outputs: Vec<Node> =
         mechanism.outputs.iter().map(|output| outputs_laws.value(&output.value).bare).collect();
 
-    let guards = loads::guards(&laws);
+    let (guards, strikes) = (loads::guards(&laws), loads::strikes(&laws));
     let states = mechanism.states.iter();
     let internal_rates = states.clone().map(|state| rate(&outputs_laws, &state.rate).bare).collect();
     let internal_starts = states.map(|state| outputs_laws.value(&state.start).bare).collect();
@@ -313,6 +315,7 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
         reactions,
         outputs,
         guards,
+        strikes,
         internal_rates,
         internal_starts,
         conditions,

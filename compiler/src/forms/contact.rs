@@ -49,6 +49,7 @@ pub enum ContactLaw {
     KelvinVoigt,
     HuntCrossley,
     Hertz,
+    Rigid,
 }
 
 const RADIUS: Argument = Argument::scalar("radius", Need::Always, Dimension::LENGTH);
@@ -193,5 +194,10 @@ pub static CONTACT_LAWS: &[ContactLawForm] = &[
         },
         kind: ContactLaw::Hertz,
         force: "K d^1.5 max(0, 1 + b ḋ), K by moduli and radii",
+    },
+    ContactLawForm {
+        call: Form { word: "rigid", elsewhere: &[], positional: &[], named: &[RESTITUTION] },
+        kind: ContactLaw::Rigid,
+        force: "what keeps the gap from closing further: an impulse at a touch, a force at rest",
     },
 ];

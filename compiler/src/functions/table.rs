@@ -23,7 +23,7 @@ const MOVING: &[Argument] = &[Constants, Time, Q, V, Acceleration];
 const EVERYTHING: &[Argument] = &[Constants, Time, State, Inputs, Acceleration, Lambda];
 
 /// Every function.
-pub static FUNCTIONS: [Signature; 48] = [
+pub static FUNCTIONS: [Signature; 49] = [
     signature(
         Function::MassMatrix,
         "mass_matrix",
@@ -186,6 +186,20 @@ pub static FUNCTIONS: [Signature; 48] = [
         ],
     )
     .only(|c| !c.equations.guards.is_empty()),
+    signature(
+        Function::Strikes,
+        "strikes",
+        Mechanism,
+        "Of each rigid contact the rate of its gap (m/s or rad/s), what of its second time derivative is there at v̇ = 0\n\
+         (m/s² or rad/s²), and its restitution.",
+        &[Constants, Time, Q, V],
+        &[
+            written("rates", Shape::Gates, |c| strikes(c, 0)).called("rate_{}"),
+            written("biases", Shape::Gates, |c| strikes(c, 1)).called("bias_{}"),
+            written("restitutions", Shape::Gates, |c| strikes(c, 2)).called("restitution_{}"),
+        ],
+    )
+    .only(|c| !c.equations.strikes.is_empty()),
     signature(
         Function::InverseDynamics,
         "inverse_dynamics",
@@ -524,6 +538,10 @@ fn has_friction(complete: &Complete) -> bool {
 
 fn guards(complete: &Complete, which: usize) -> Vec<Node> {
     complete.equations.guards.iter().map(|guard| guard[which]).collect()
+}
+
+fn strikes(complete: &Complete, which: usize) -> Vec<Node> {
+    complete.equations.strikes.iter().map(|strike| strike[which]).collect()
 }
 
 fn has_internal_states(complete: &Complete) -> bool {

@@ -202,3 +202,37 @@ pub(crate) fn release_out_of_range(found: f64) -> String {
 pub(crate) fn contact_pulls(what: &str, found: f64) -> String {
     format!("a contact pushes: its `{what}` cannot be {}", number(found))
 }
+
+pub(crate) fn rigid_without_restitution() -> String {
+    "a rigid contact parts with a share of the speed with which it meets: write `restitution = 0.5`; say `restitution = 0` if it does not \
+     bounce"
+        .to_string()
+}
+
+pub(crate) fn rigid_and_live(rigid: &str) -> String {
+    format!(
+        "`{rigid}` is rigid, and a touch of it is found within the step: its gates are held; leave `contact = live` out, or give `{rigid}` a law \
+         of its depth, such as `kelvin_voigt`"
+    )
+}
+
+pub(crate) fn rigid_in_c(rigid: &str) -> String {
+    format!(
+        "the functions in C take whole steps and locate no touch within them, and `{rigid}` is rigid; give it a law of its depth, such as \
+         `kelvin_voigt`"
+    )
+}
+
+pub(crate) fn rigid_and_yielding(rigid: &str, other: &str) -> String {
+    format!(
+        "`{other}` yields and `{rigid}` is rigid, which one definition cannot have yet: make both rigid, or give `{rigid}` a law of its \
+         depth, such as `kelvin_voigt`"
+    )
+}
+
+pub(crate) fn rigid_with_tangent(rigid: &str) -> String {
+    format!(
+        "derivatives of a motion do not follow the rigid `{rigid}` yet, whose speeds jump: leave `tangent` out, or give `{rigid}` a law of its \
+         depth, such as `kelvin_voigt`"
+    )
+}

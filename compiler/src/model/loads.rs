@@ -40,6 +40,7 @@ impl<'d> Lowering<'d> {
             normal: None,
             slides: Vec::new(),
             ungated: Vec::new(),
+            restitution: None,
         })
     }
 

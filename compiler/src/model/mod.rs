@@ -157,6 +157,11 @@ impl Mechanism {
         starts.map(|start| start.unwrap_or(f64::NAN)).collect()
     }
 
+    /// Whether contacts are rigid: all are, or none.
+    pub fn is_rigid(&self) -> bool {
+        self.loads.iter().any(|load| load.restitution.is_some())
+    }
+
     /// The gates that are held over a step: contact and which of its gaps, in the order of their declaration.
     pub fn gates(&self) -> impl Iterator<Item = (LoadId, usize)> {
         let loads = self.loads.iter().enumerate();

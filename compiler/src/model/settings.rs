@@ -74,6 +74,7 @@ impl<'d> Lowering<'d> {
             }
         }
         self.options_twice();
+        self.beside_rigid();
         Options {
             coordinates,
             solution,

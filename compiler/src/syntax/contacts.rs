@@ -128,9 +128,6 @@ impl Parser<'_> {
         if !c.eat_punct('=') {
             return self.expected(c, "`=` and the law of the contact, such as `kelvin_voigt(…)`");
         }
-        if c.at_word("rigid") && is_call(c) {
-            return self.fail(c.region(), messages::not_there_yet("rigid"));
-        }
         let laws = self.vocabulary.contact_laws;
         let known = c.word().is_some_and(|word| laws.iter().any(|law| law.call.word == word)) && is_call(c);
         let law = if known {

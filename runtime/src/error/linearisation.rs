@@ -54,6 +54,11 @@ pub enum LinearisationError {
         /// Iterations made before.
         iterations: u32,
     },
+    /// Contacts are rigid: derivatives of the motion do not follow them.
+    Rigid {
+        /// The first of them.
+        contact: &'static str,
+    },
     /// The search for an equilibrium ended away from one.
     NoEquilibrium {
         /// The time, s.
@@ -129,6 +134,11 @@ impl Display for LinearisationError {
                 f,
                 "the constraints lose rank at {row}, t = {time} s: relative pivot {pivot:.1e}; the mechanism is at a dead \
                  centre or the joint is redundant: linearise elsewhere"
+            ),
+            LinearisationError::Rigid { contact } => write!(
+                f,
+                "`{contact}` is rigid, and derivatives of a motion do not follow rigid contacts yet: give it a law of its depth, such as \
+                 `kelvin_voigt`"
             ),
             LinearisationError::SingularMass { time, pivot, velocity } => write!(
                 f,

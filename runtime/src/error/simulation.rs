@@ -165,6 +165,36 @@ pub enum SimulationError {
         /// How often gates may open or close in a step.
         most: u32,
     },
+    /// A rigid contact is inside another body: at a start, or because its parts crossed each other in less than a step.
+    Inside {
+        /// The contact.
+        contact: &'static str,
+        /// The time at which it was seen, s.
+        time: f64,
+        /// Its depth, m or rad.
+        depth: f64,
+    },
+    /// More rigid contacts touch at once than impulses are sought for.
+    Crowded {
+        /// The first of them that is too many.
+        contact: &'static str,
+        /// The time at which they touch, s.
+        time: f64,
+        /// How many may touch at once.
+        most: u32,
+    },
+    /// No impulses or forces of rigid contacts part what touches: joints or drivers hold it there.
+    NoImpact {
+        /// The first of the contacts.
+        contact: &'static str,
+        /// The time at which they touch, s.
+        time: f64,
+    },
+    /// An integrator that iterates on residuals was asked to move a mechanism whose contacts are rigid.
+    RigidByResidual {
+        /// The first of the contacts.
+        contact: &'static str,
+    },
     /// A step near a singular position ended with more kinetic energy than loads, drivers and springs can have brought, or with
     /// less than they can have taken.
     Unresolved {
@@ -203,7 +233,11 @@ impl SimulationError {
             | SimulationError::Projection { error: AssemblyError::NoConvergence { row, .. }, .. } => {
                 Some(row.of)
             }
-            SimulationError::Chatter { contact, .. } => Some(contact),
+            SimulationError::Chatter { contact, .. }
+            | SimulationError::Inside { contact, .. }
+            | SimulationError::Crowded { contact, .. }
+            | SimulationError::NoImpact { contact, .. }
+            | SimulationError::RigidByResidual { contact } => Some(contact),
             _ => None,
         }
     }
@@ -310,6 +344,26 @@ impl Display for SimulationError {
                 f,
                 "`{contact}` opens and closes without end at t = {time} s: contacts did so more than {most} times in one step; take a smaller \
                  step, give the contact a force that grows from zero with its depth, or write `options {{ contact = live; }}`"
+            ),
+            SimulationError::Inside { contact, time, depth } => write!(
+                f,
+                "the rigid `{contact}` is {depth:.1e} m (or rad) inside at t = {time} s: begin where it is open or just touches, or take steps \
+                 in which nothing crosses it"
+            ),
+            SimulationError::Crowded { contact, time, most } => write!(
+                f,
+                "with `{contact}` more than {most} rigid contacts touch at t = {time} s, and impulses are sought for {most}: give some of them a \
+                 law of their depth, such as `kelvin_voigt`"
+            ),
+            SimulationError::NoImpact { contact, time } => write!(
+                f,
+                "no impulse parts the rigid `{contact}` and what touches with it at t = {time} s: joints or drivers hold them against each \
+                 other; leave one of them out, or give it a law of its depth, such as `kelvin_voigt`"
+            ),
+            SimulationError::RigidByResidual { contact } => write!(
+                f,
+                "`{contact}` is rigid, and this integrator iterates on residuals, in which forces at rest have no place yet: take an explicit \
+                 one, such as `Rk4` or `DormandPrince`"
             ),
             SimulationError::Unresolved { time, row, reciprocal_condition, before, after } => write!(
                 f,

@@ -111,12 +111,15 @@ where
                 false => self.advance_piece(&mut course, &mut events)?,
             }
             while due.is_before(&self.run.clock) {
-                let state = self.within(&due).unwrap_or_else(|| self.run.state.clone());
+                let mut state = self.within(&due).unwrap_or_else(|| self.run.state.clone());
                 let inputs = self.dynamics.inputs_within(due.time(), &state);
+                if self.model().is_rigid() {
+                    state.gates = self.dynamics.forces_at_rest(due.time(), &state, &inputs);
+                }
                 show(&self.sample_at(due.time(), state, inputs));
                 due = after(due);
             }
-            self.hold();
+            self.hold()?;
             let sample = self.sample();
             if !self.run.clock.is_before(&due) {
                 show(&sample);

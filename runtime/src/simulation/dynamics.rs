@@ -49,6 +49,8 @@ pub(super) struct Watch<R, S> {
     pub residual: R,
     /// What friction left at the step's beginning.
     pub friction: R,
+    /// Whether a method asked for residuals of a mechanism whose contacts are rigid.
+    pub unheld: bool,
     pub stepped_over: u32,
     /// The worst stage below [`Real::NEAR_SINGULAR`].
     pub worst: Option<Stage<R, S>>,
@@ -75,6 +77,7 @@ impl<R: Real, S> Watch<R, S> {
             iterations: 0,
             residual: R::ZERO,
             friction: R::ZERO,
+            unheld: false,
             stepped_over: 0,
             worst: None,
             failure: None,
@@ -158,6 +161,16 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
         state: &StateOf<M, R>,
         inputs: &M::Inputs,
     ) -> (M::V, M::Lambda, R) {
+        if !self.model.is_rigid() {
+            return self.free(time, state, inputs);
+        }
+        let (mut a, mut lambda, pivot) = self.free(time, &self.opened(state), inputs);
+        self.pressed(time, state, inputs, &mut a, &mut lambda);
+        (a, lambda, pivot)
+    }
+
+    /// The same with the gates as numbers, those of rigid contacts too.
+    pub(super) fn free(&self, time: R, state: &StateOf<M, R>, inputs: &M::Inputs) -> (M::V, M::Lambda, R) {
         let model = self.model;
         let (mut memory, mut state) = (self.memory.clone(), state.clone());
         let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
@@ -214,9 +227,17 @@ where
         let first = !self.watch.started;
         self.watch.started = true;
         let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
+        let held = model.is_rigid().then(|| {
+            let opened = self.opened(state);
+            core::mem::replace(&mut state.gates, opened.gates)
+        });
         let memory = &mut self.memory;
         let mut evaluation =
             self.formulation.acceleration(memory, model, time, state, &inputs, &mut a, &mut lambda);
+        if let Some(held) = held {
+            state.gates = held;
+            self.pressed(time, state, &inputs, &mut a, &mut lambda);
+        }
         // Written so that a NaN is seen.
         if !R::any(evaluation.pivot.greater_equal(R::NEAR_SINGULAR)) {
             self.see(time, state, &inputs, &mut evaluation, &mut a, &mut lambda);

@@ -9,6 +9,7 @@
 
 use super::course::Course;
 use super::locate::{Search, StandingOf, TRIALS};
+use super::rigid::{Blow, IMPACTS_PER_STEP};
 use super::{MechanismDynamics, Simulation, Step};
 use crate::clock::Clock;
 use crate::error::SimulationError;
@@ -38,10 +39,15 @@ where
     R: Real,
     M: Assemble<R>,
     F: Formulation<R, M>,
+    S: InputSource<R, M>,
     I: Method<R>,
 {
-    /// Takes the gates as they are at the present state; how many changed. What a method carries from step to step is of the gates before.
-    pub(super) fn hold(&mut self) -> u32 {
+    /// Takes the gates as they are at the present state, after the impulses of rigid contacts; how many changed. What a method carries from
+    /// step to step is of the gates before.
+    pub(super) fn hold(&mut self) -> Result<Blow<R>, SimulationError> {
+        if self.model().is_rigid() {
+            return self.strike();
+        }
         let live = self.model().live_gates(self.time(), &self.run.state);
         let both = live.as_slice().iter().zip(self.run.state.gates.as_slice());
         let changed = both.filter(|(live, held)| live != held).count() as u32;
@@ -49,11 +55,14 @@ where
             self.run.state.gates = live;
             self.memory = self.integrator.memory();
         }
-        changed
+        Ok(Blow { changed, impacts: 0, rested: 0, lost: R::ZERO })
     }
 
-    fn guards(&self) -> Guards<M, R> {
+    fn guards(&mut self) -> Guards<M, R> {
         let model = self.model();
+        if model.is_rigid() {
+            return self.rigid_guards();
+        }
         let zeros = || M::Gates::zeros(model.gate_names().len());
         let (mut gaps, mut forces) = (zeros(), zeros());
         model.guards(self.time(), &self.run.state, &mut gaps, &mut forces);
@@ -61,7 +70,11 @@ where
     }
 
     /// Whether the gates are no longer what they are held at, and the first of those that are not.
-    fn left(&self) -> Option<usize> {
+    fn left(&mut self) -> Option<usize> {
+        if self.model().is_rigid() {
+            let guards = self.rigid_guards();
+            return self.rigid_left(&guards);
+        }
         let live = self.model().live_gates(self.time(), &self.run.state);
         live.as_slice().iter().zip(self.run.state.gates.as_slice()).position(|(live, held)| live != held)
     }
@@ -90,8 +103,8 @@ where
         let (mut whole, mut events, mut left) = (None, 0, h);
         loop {
             let (piece, parted) = self.piece(left, end, &mut events)?;
-            let changed = self.hold();
-            let step = Step { gates_changed: changed, ..piece };
+            let blow = self.hold()?;
+            let step = with(&piece, &blow);
             let sum = whole.map_or(step, |before| together(&before, &step));
             if !self.run.clock.is_before(&end) {
                 return Ok(Step { size: h, ..sum });
@@ -128,17 +141,17 @@ where
     /// The way to `end`, or to the first touch or release before it, with the gates as they are here; and whether there was one. It is left to
     /// the next piece to change gates.
     fn piece(&mut self, h: R, end: Clock<R>, events: &mut u32) -> Result<(Step<R>, bool), SimulationError> {
-        self.hold();
+        let blow = self.hold()?;
         let begin = self.standing();
         let inputs = self.dynamics.present_inputs(self.time(), &self.run.state.clone());
         let mut step = self.step_by(h, end)?;
-        let Some(mut first) = self.left() else { return Ok((step, false)) };
-        step = self.part(begin, step)?;
+        let Some(mut first) = self.left() else { return Ok((with(&step, &blow), false)) };
+        step = with(&self.part(begin, step)?, &blow);
         first = self.left().unwrap_or(first);
         *events += 1;
-        if *events > EVENTS_PER_STEP {
-            let contact = self.model().gate_names().get(first).copied().unwrap_or(self.model().name());
-            let (time, most) = (self.time().to_f64(), EVENTS_PER_STEP);
+        let most = if self.model().is_rigid() { IMPACTS_PER_STEP } else { EVENTS_PER_STEP };
+        if *events > most {
+            let (contact, time) = (self.contact(first), self.time().to_f64());
             return Err(SimulationError::Chatter { contact, time, most });
         }
         if S::HELD && self.run.clock.is_before(&end) {
@@ -174,7 +187,11 @@ where
                 return Err(SimulationError::EventNotLocated { time, width, trials });
             }
             trials += 1;
-            let at = search.next(low.0, high.0, expected(&held, &low.1, &high.1));
+            let part = match self.model().is_rigid() {
+                true => expected_touch(&held, &low.1, &high.1, high.0 - low.0),
+                false => expected(&held, &low.1, &high.1),
+            };
+            let at = search.next(low.0, high.0, part);
             self.stand(base.2.clone());
             let asked = at - base.0;
             let taken = self.step_by(asked, self.run.clock.after(asked))?;
@@ -232,6 +249,43 @@ fn expected<R: Real, G: Vector<R>>(held: &G, before: &[G; 2], after: &[G; 2]) ->
     if first >= R::ZERO && first <= R::ONE { first } else { half }
 }
 
+/// The part of the time between two guards at which the first rigid contact is to be expected to touch, by the parabola through the gaps with
+/// the rate at the beginning, or to pull, by the line through its forces.
+fn expected_touch<R: Real, G: Vector<R>>(held: &G, before: &[G; 2], after: &[G; 2], time: R) -> R {
+    let [gaps, rates] = before;
+    let each = held.as_slice().iter().zip(gaps.as_slice().iter().zip(rates.as_slice()));
+    let [ahead, _] = after;
+    let each = each.zip(ahead.as_slice());
+    let (half, four) = (R::from_f64(0.5), R::from_f64(4.0));
+    let first = each.filter_map(|((&held, (&gap, &rate)), &then)| {
+        if then >= R::ZERO {
+            return None;
+        }
+        if held > R::ZERO {
+            return Some(gap / (gap - then));
+        }
+        let gap = gap.max(R::ZERO);
+        let rise = rate * time;
+        let bend = then - gap - rise;
+        let root = (rise * rise - four * bend * gap).max(R::ZERO).sqrt();
+        Some(if rise > R::ZERO { -half * (rise + root) / bend } else { (gap + gap) / (root - rise) })
+    });
+    let first = first.fold(R::ONE, |first, part| part.min(first));
+    // Written so that a NaN is the middle.
+    if first >= R::ZERO && first <= R::ONE { first } else { half }
+}
+
+/// A step with what its impulses did.
+fn with<R: Real>(step: &Step<R>, blow: &Blow<R>) -> Step<R> {
+    Step {
+        gates_changed: step.gates_changed + blow.changed,
+        impacts: step.impacts + blow.impacts,
+        rested: step.rested + blow.rested,
+        lost: step.lost + blow.lost,
+        ..*step
+    }
+}
+
 /// What happened in two steps that follow each other.
 fn together<R: Real>(before: &Step<R>, after: &Step<R>) -> Step<R> {
     let nearer = match (before.near_singular, after.near_singular) {
@@ -255,5 +309,8 @@ fn together<R: Real>(before: &Step<R>, after: &Step<R>) -> Step<R> {
         friction_residual: before.friction_residual.max(after.friction_residual),
         stepped_over: before.stepped_over + after.stepped_over,
         gates_changed: before.gates_changed + after.gates_changed,
+        impacts: before.impacts + after.impacts,
+        rested: before.rested + after.rested,
+        lost: before.lost + after.lost,
     }
 }

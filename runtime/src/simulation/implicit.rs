@@ -36,6 +36,7 @@ where
         level: Level,
     ) -> M::Unknowns {
         let model = self.model;
+        self.watch.unheld |= model.is_rigid();
         let inputs = self.inputs_at(time, state);
         let State { q, v, .. } = state;
         let (mut forces, mut rows) = (model.zero_v(), model.zero_lambda());

@@ -3,9 +3,11 @@
 //! Joins a model, a formulation, an input source and an integrator, each a type of its own. What happens inside one
 //! step, and how its failure is named, is `step.rs`, whether its result is in proportion `proportion.rs`; the clock is
 //! the `clock.rs` of the crate, runs and their bounds `course.rs`, dense output `between.rs`, events are `event.rs` and `locate.rs`, gates that
-//! are held within a step `held.rs`. Nothing here allocates.
+//! are held within a step `held.rs`, rigid contacts
+//! `rigid.rs`. Nothing here allocates.
 
 mod between;
+mod complementarity;
 mod course;
 mod dynamics;
 mod event;
@@ -13,13 +15,16 @@ mod held;
 mod implicit;
 mod locate;
 mod proportion;
+mod rigid;
 mod sample;
 mod singularity;
 mod step;
 
+pub use complementarity::RIGID_TOUCHING;
 pub use dynamics::MechanismDynamics;
 pub use event::{Direction, Event, Occurrence};
 pub use held::EVENTS_PER_STEP;
+pub use rigid::IMPACTS_PER_STEP;
 pub use sample::{Residual, Sample, Samples, Solution, SolutionOf};
 pub use singularity::NearSingular;
 pub use step::Step;

@@ -55,6 +55,12 @@ pub struct Step<R = f64> {
     pub stepped_over: u32,
     /// Gates that opened or closed in it, where a mechanism holds them.
     pub gates_changed: u32,
+    /// Touches of rigid contacts, each with an impulse.
+    pub impacts: u32,
+    /// Rigid contacts that came to rest on each other.
+    pub rested: u32,
+    /// The kinetic energy that impulses took, J: ½ Σ P (−ġ⁺ − ġ⁻).
+    pub lost: R,
 }
 
 impl<'m, R, M, F, S, I> Simulation<'m, M, R, F, S, I>
@@ -128,11 +134,14 @@ where
         let model = self.model();
         let time = self.time();
         self.dynamics.begin(h);
-        let stepped =
-            match self.integrator.step(&mut self.memory, &mut self.dynamics, time, h, &self.run.state) {
-                Ok(stepped) => stepped,
-                Err(failure) => return Err(self.diagnose_failure(time, failure, inputs)),
-            };
+        let stepped = self.integrator.step(&mut self.memory, &mut self.dynamics, time, h, &self.run.state);
+        if self.dynamics.watch.unheld {
+            return Err(SimulationError::RigidByResidual { contact: self.contact(0) });
+        }
+        let stepped = match stepped {
+            Ok(stepped) => stepped,
+            Err(failure) => return Err(self.diagnose_failure(time, failure, inputs)),
+        };
         if let Some(failure) = &self.dynamics.watch.failure {
             return Err(self.diagnose(failure, inputs));
         }
@@ -180,6 +189,9 @@ where
             friction_residual: watch.friction,
             stepped_over: watch.stepped_over,
             gates_changed: 0,
+            impacts: 0,
+            rested: 0,
+            lost: R::ZERO,
         };
         Ok((step, next, clock))
     }

@@ -49,3 +49,17 @@ pub fn guards(laws: &Laws) -> Vec<[Node; 2]> {
     };
     contacts.flat_map(of).collect()
 }
+
+/// Of each gap of a rigid contact, in the same order: its rate ġ, its second time derivative at v̇ = 0, and the restitution.
+pub fn strikes(laws: &Laws) -> Vec<[Node; 3]> {
+    let of = |load: &Load| -> Vec<[Node; 3]> {
+        let Some(restitution) = &load.restitution else { return Vec::new() };
+        let restitution = laws.value(restitution).bare;
+        let each = |gap| {
+            let gap = laws.jet(gap);
+            [gap.rate().bare, gap.bias().bare, restitution]
+        };
+        load.along().map(each).collect()
+    };
+    laws.mechanism.loads.iter().flat_map(of).collect()
+}

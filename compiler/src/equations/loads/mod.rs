@@ -15,7 +15,7 @@ mod spring;
 mod torque;
 mod torsion_spring;
 
-pub use contact::{LOAD as CONTACT, guards};
+pub use contact::{LOAD as CONTACT, guards, strikes};
 pub use hysteresis::Inner;
 pub use torque::CALL as TORQUE;
 

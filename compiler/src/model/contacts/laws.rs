@@ -67,6 +67,8 @@ impl<'d> Lowering<'d> {
                 let (force, speed) = self.dissipating(named, region, elastic, meeting, way)?;
                 Some(NamedLaw { force, elastic: [stiffness, Expr::Number(1.5), speed.unwrap_or_else(one)] })
             }
+            // It has no law of its depth.
+            ContactLaw::Rigid => None,
         }
     }
 

@@ -8,6 +8,7 @@
 mod laws;
 mod pairs;
 mod restitution;
+mod rigid;
 mod rubbing;
 mod spots;
 mod surfaces;
@@ -52,6 +53,8 @@ struct Forces {
     ungated: Vec<Expr>,
     /// Of a named law: K and n of its elastic part K dⁿ, and the impact speed that it is meant for.
     elastic: Option<[Expr; 3]>,
+    /// Of a rigid one.
+    restitution: Option<Expr>,
 }
 
 /// What touches.
@@ -81,18 +84,31 @@ impl<'d> Lowering<'d> {
         let definition = self.definition;
         let index = definition.contacts.iter().position(|it| std::ptr::eq(it, contact))?;
         let geometry = self.geometry(index)?;
-        let Forces { along: law, ungated, elastic } = self.forces(index)?;
+        let Forces { along: law, ungated, elastic, restitution } = self.forces(index)?;
         let on = geometry.meetings.into_iter().map(|it| Subject::Expression(it.gap, geometry.dimension));
         let values = elastic.into_iter().flatten().map(|value| vec![value]).collect();
         let (name, form) = (name(&contact.name), contact.form);
         let (on, slides) = (on.collect(), Vec::new());
-        Some(Load { name, form, on, values, law, states: 0..0, teeth: None, normal: None, slides, ungated })
+        Some(Load {
+            name,
+            form,
+            on,
+            values,
+            law,
+            states: 0..0,
+            teeth: None,
+            normal: None,
+            slides,
+            ungated,
+            restitution,
+        })
     }
 
-    /// `options { contact = held; }`
+    /// `options { contact = held; }`, which rigid contacts imply.
     pub(super) fn holds_gates(&self) -> bool {
         let options = &self.definition.options;
         options.iter().any(|it| matches!(it, OptionEntry::Contact(word) if word.text == "held"))
+            || self.definition.contacts.iter().any(rigid::is_rigid)
     }
 
     /// Which contact a quantity is of.
@@ -259,7 +275,11 @@ impl<'d> Lowering<'d> {
         let forces = self.geometry(index).and_then(|geometry| {
             let held = self.holds_gates();
             let usage = if held { Use::HELD_LAW } else { Use::LOAD };
-            let mut forces = Forces { along: Vec::new(), ungated: Vec::new(), elastic: None };
+            if rigid::is_rigid(contact) {
+                return self.rigid(index, &geometry);
+            }
+            let mut forces =
+                Forces { along: Vec::new(), ungated: Vec::new(), elastic: None, restitution: None };
             for (which, meeting) in geometry.meetings.iter().enumerate() {
                 self.contacts.law_of = Some((index, which));
                 let law = match &contact.law {

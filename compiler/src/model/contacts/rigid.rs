@@ -1,0 +1,69 @@
+//! Rigid contacts: nothing is in another, and what keeps it out is an impulse at a touch and a force at rest.
+//!
+//! Their force is the number that a gate otherwise is, along the gap: zero where they are open. What it is follows in the run from all
+//! that touches (`simulation/rigid.rs` of the runtime).
+
+use super::{Forces, Geometry};
+use crate::forms::ContactLaw;
+use crate::messages;
+use crate::model::lower::{Lowering, Use};
+use crate::model::{Expr, fold};
+use crate::syntax::{self, ContactLawTerm, OptionEntry};
+use crate::units::Dimension;
+
+/// Whether `rigid(…)` is its law.
+pub(super) fn is_rigid(contact: &syntax::Contact) -> bool {
+    matches!(&contact.law, ContactLawTerm::Named(form, ..) if form.kind == ContactLaw::Rigid)
+}
+
+impl<'d> Lowering<'d> {
+    /// What a rigid contact exerts along each of its gaps, and its restitution, within 0 to 1.
+    pub(super) fn rigid(&mut self, index: usize, geometry: &Geometry) -> Option<Forces> {
+        let definition = self.definition;
+        let contact = &definition.contacts[index];
+        let ContactLawTerm::Named(_, named, region) = &contact.law else { return None };
+        let Some(entry) = named.entry("restitution") else {
+            self.diagnostics.error(*region, messages::rigid_without_restitution());
+            return None;
+        };
+        let restitution = self.entry(entry, Dimension::ONE, Use::COEFFICIENT, "restitution")?;
+        if let Some(e) = fold::evaluate(&restitution, self.defaults()).filter(|e| !(0.0..=1.0).contains(e)) {
+            self.diagnostics.error(entry.value.region, messages::restitution_out_of_range(e));
+            return None;
+        }
+        let load = self.load_of_contact(index);
+        let gaps = 0..geometry.meetings.len();
+        Some(Forces {
+            along: gaps.clone().map(|which| Expr::Gate(load, which)).collect(),
+            ungated: gaps.map(|_| Expr::Number(0.0)).collect(),
+            elastic: None,
+            restitution: Some(restitution),
+        })
+    }
+
+    /// What rigid contacts cannot be together with yet.
+    pub(in crate::model) fn beside_rigid(&mut self) {
+        let definition = self.definition;
+        let Some(rigid) = definition.contacts.iter().find(|it| is_rigid(it)) else { return };
+        for entry in &definition.options {
+            match entry {
+                OptionEntry::Contact(word) if word.text == "live" => {
+                    self.diagnostics.error(word.region, messages::rigid_and_live(&rigid.name.text));
+                }
+                OptionEntry::ExportC(scalar) => {
+                    self.diagnostics.error(scalar.region, messages::rigid_in_c(&rigid.name.text));
+                }
+                OptionEntry::Emit(words) => {
+                    for word in words.iter().filter(|word| word.text == "tangent") {
+                        self.diagnostics.error(word.region, messages::rigid_with_tangent(&rigid.name.text));
+                    }
+                }
+                _ => {}
+            }
+        }
+        for other in definition.contacts.iter().filter(|it| !is_rigid(it)) {
+            let message = messages::rigid_and_yielding(&rigid.name.text, &other.name.text);
+            self.diagnostics.error(other.name.region, message);
+        }
+    }
+}
