@@ -66,7 +66,8 @@ pub fn contacts(
         if said == Some(name) {
             continue;
         }
-        if load.restitution.is_some() && !equations.friction.is_none() {
+        let rubs = || mechanism.loads.iter().any(|load| load.form.rubs) || !equations.friction.is_none();
+        if load.restitution.is_some() && rubs() {
             said = Some(name);
             errors.error(at, messages::rigid_with_friction(name));
             continue;
