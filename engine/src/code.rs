@@ -8,14 +8,13 @@
 //! that most are of is taken, until none of it is left. The order of independent operations changes no bit of the result. The file has
 //! 2¹⁶ registers, so that a number of 16 bits needs no check of bounds; the system gives memory only for those that are touched.
 
+use crate::translate::{REGISTERS, Translated, Translator};
 use linkwright_compiler::functions::{ARGUMENTS, Argument};
-use linkwright_compiler::schedule::{Instruction, Operand, Program};
+use linkwright_compiler::schedule::{Instruction, Operand, Program, Source};
 use linkwright_compiler::symbolic::{Compare, Orders, Table, Unary};
 use linkwright_runtime::Real;
 use std::collections::HashMap;
-use std::sync::Arc;
-
-const REGISTERS: usize = 1 << 16;
+use std::sync::{Arc, OnceLock};
 
 /// All registers.
 #[derive(Clone)]
@@ -36,12 +35,10 @@ impl Registers {
     #[inline]
     pub fn set(&mut self, at: u16, values: &[f64]) {
         let at = usize::from(at);
-        self.0[at..at + values.len()].copy_from_slice(values);
-    }
-
-    #[inline]
-    pub fn get(&self, at: u16) -> f64 {
-        self.0[usize::from(at)]
+        // They are few: one by one is quicker than a call that copies.
+        for (to, value) in self.0[at..at + values.len()].iter_mut().zip(values) {
+            *to = *value;
+        }
     }
 }
 
@@ -88,6 +85,11 @@ impl Places {
     /// The first register of an argument.
     pub fn of(&self, argument: Argument) -> u16 {
         self.arguments[argument as usize]
+    }
+
+    /// The register of an entry of an argument.
+    pub fn register(&self, source: Source) -> u16 {
+        self.of(source.argument) + source.index as u16
     }
 
     fn constants(&self) -> impl Iterator<Item = (u16, f64)> {
@@ -164,11 +166,50 @@ struct Batch {
 }
 
 /// A function.
-#[derive(Clone, Debug, Default)]
+#[derive(Default)]
 pub struct Code {
     batches: Vec<Batch>,
     outputs: Vec<u16>,
     tables: Vec<Arc<Table>>,
+    machine: Option<Machine>,
+}
+
+/// A function as it is run by the processor itself, once it is called.
+struct Machine {
+    program: Program,
+    translator: Arc<dyn Translator>,
+    /// Nothing if the translator cannot: the function is interpreted.
+    made: OnceLock<Option<Box<dyn Translated>>>,
+    /// The first of its results, which stand one after another behind arguments and constants.
+    results: u16,
+}
+
+/// In which registers results are.
+pub enum Results<'c> {
+    At(&'c [u16]),
+    /// One after another.
+    From(u16),
+}
+
+impl Results<'_> {
+    /// Writes `count` of them to these lists, one after another; returns the one behind them, zero if there is none.
+    #[inline]
+    pub fn write(&self, registers: &Registers, count: usize, out: &mut [&mut [f64]]) -> f64 {
+        let entries = out.iter_mut().flat_map(|list| list.iter_mut());
+        match *self {
+            Results::At(registers_of) => {
+                let mut results = registers_of.iter().map(|at| registers.0[usize::from(*at)]);
+                entries.for_each(|entry| *entry = results.next().unwrap_or(0.0));
+                results.next().unwrap_or(0.0)
+            }
+            Results::From(first) => {
+                let first = usize::from(first);
+                let mut results = registers.0[first..first + count].iter().copied();
+                entries.for_each(|entry| *entry = results.next().unwrap_or(0.0));
+                results.next().unwrap_or(0.0)
+            }
+        }
+    }
 }
 
 impl Code {
@@ -217,16 +258,42 @@ impl Code {
             batches.push(Batch { kind, operations: operations.into() });
         }
         let outputs = program.outputs.iter().map(|output| at(*output, places, &kept)).collect();
-        Ok(Code { batches, outputs, tables: program.tables.clone() })
+        Ok(Code { batches, outputs, tables: program.tables.clone(), machine: None })
     }
 
-    /// The registers of the results, once it has been run.
-    pub fn outputs(&self) -> &[u16] {
-        &self.outputs
+    /// The same function, translated when it is first called.
+    pub fn translated_by(
+        self,
+        translator: &Arc<dyn Translator>,
+        program: &Program,
+        places: &Places,
+    ) -> Result<Code, TooLarge> {
+        register(places.free + program.outputs.len())?;
+        let results = register(places.free)?;
+        let (program, translator) = (program.clone(), translator.clone());
+        let machine = Some(Machine { program, translator, made: OnceLock::new(), results });
+        Ok(Code { machine, ..self })
+    }
+
+    /// How many results it has.
+    pub fn outputs(&self) -> usize {
+        self.outputs.len()
     }
 
     /// Computes the results from the arguments in the registers.
-    pub fn run(&self, registers: &mut Registers) {
+    #[inline]
+    pub fn run(&self, registers: &mut Registers, places: &Places) -> Results<'_> {
+        if let Some(machine) = &self.machine
+            && let Some(translated) = machine.translated(places)
+        {
+            translated.run(&mut registers.0);
+            return Results::From(machine.results);
+        }
+        self.interpret(registers);
+        Results::At(&self.outputs)
+    }
+
+    fn interpret(&self, registers: &mut Registers) {
         let r: &mut [f64; REGISTERS] = &mut registers.0;
         for Batch { kind, operations } in &self.batches {
             /// The same of every operation, in a loop of its own.
@@ -284,10 +351,18 @@ impl Code {
     }
 }
 
+impl Machine {
+    fn translated(&self, places: &Places) -> Option<&dyn Translated> {
+        let make =
+            || self.translator.translate(&self.program, &|source| places.register(source), self.results);
+        self.made.get_or_init(make).as_deref()
+    }
+}
+
 fn at(operand: Operand, places: &Places, kept: &[u16]) -> u16 {
     match operand {
         Operand::Constant(value) => places.constants[&value.to_bits()],
-        Operand::Source(source) => places.of(source.argument) + source.index as u16,
+        Operand::Source(source) => places.register(source),
         Operand::Value(value) => kept[value as usize],
     }
 }
@@ -342,7 +417,7 @@ fn in_batches(program: &Program) -> Vec<(Kind, Vec<usize>)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use linkwright_compiler::schedule::{Inputs, Source, run_straight};
+    use linkwright_compiler::schedule::{Inputs, run_straight};
 
     /// A program of 300 operations that need one another gives the bits of the compiler's interpreter, in fewer registers than values.
     #[test]
@@ -366,8 +441,8 @@ mod tests {
         let code = Code::new(&program, &places).expect("few");
         let mut registers = Registers::new(&places);
         registers.set(places.of(Argument::Q), &inputs.q);
-        code.run(&mut registers);
-        let found: Vec<f64> = code.outputs().iter().map(|at| registers.get(*at)).collect();
+        let mut found = vec![0.0; code.outputs()];
+        code.run(&mut registers, &places).write(&registers, found.len(), &mut [&mut found]);
         assert_eq!(found, run_straight(&program, &inputs));
         let operations = code.batches.iter().flat_map(|batch| batch.operations.iter());
         let most = operations.map(|operation| usize::from(operation.to)).max().expect("some");
@@ -392,6 +467,6 @@ mod tests {
         let program =
             Program { instructions, outputs: vec![Operand::Value(2 * many - 1)], ..Program::default() };
         let places = Places::new(|_| 1, [&program].into_iter()).expect("few");
-        assert_eq!(Code::new(&program, &places).unwrap_err(), TooLarge { registers: 1 << 16 });
+        assert_eq!(Code::new(&program, &places).err(), Some(TooLarge { registers: 1 << 16 }));
     }
 }

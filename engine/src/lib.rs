@@ -41,10 +41,12 @@ mod names;
 mod report;
 mod tables;
 mod tangent;
+mod translate;
 
 pub use list::{List, Numbers};
 pub use report::Follows;
 pub use tangent::Derivatives;
+pub use translate::{REGISTERS, Translated, Translator};
 
 use code::{Code, Places, Registers, TooLarge};
 use linkwright_compiler::diagnostics::Diagnostics;
@@ -191,6 +193,18 @@ where
     /// # Errors
     /// [`TooLarge`](EngineError::TooLarge), [`NoDerivatives`](EngineError::NoDerivatives).
     pub fn of(compiled: &Compiled) -> Result<Self, EngineError> {
+        Self::made(compiled, None)
+    }
+
+    /// The same with functions that this translator makes machine code of, each when it is first called.
+    ///
+    /// # Errors
+    /// As [`of`](Engine::of).
+    pub fn translated(compiled: &Compiled, translator: Arc<dyn Translator>) -> Result<Self, EngineError> {
+        Self::made(compiled, Some(&translator))
+    }
+
+    fn made(compiled: &Compiled, translator: Option<&Arc<dyn Translator>>) -> Result<Self, EngineError> {
         if !Self::admits(compiled) {
             return Err(EngineError::NoDerivatives);
         }
@@ -201,7 +215,17 @@ where
             _ => compiled.entries(argument.given().shape),
         };
         let places = Places::new(length, programs.functions.iter().map(|(_, program)| program))?;
-        let code = Function::ALL.iter().map(|function| Code::new(programs.get(*function), &places));
+        let code = Function::ALL.iter().map(|function| {
+            let program = programs.get(*function);
+            let code = Code::new(program, &places)?;
+            match translator {
+                // What is not there needs no translation.
+                Some(translator) if !program.outputs.is_empty() => {
+                    code.translated_by(translator, program, &places)
+                }
+                _ => Ok(code),
+            }
+        });
         let code = code.collect::<Result<Vec<Code>, TooLarge>>()?;
         let tables = Tables::of(compiled);
         let (parameters, phases) = (Numbers::of(&tables.defaults), List::of(&tables.phases));
@@ -297,7 +321,7 @@ impl<D: 'static> Engine<D> {
 
     /// All results of a function, in the order of its program's outputs.
     fn evaluate(&self, function: Function, given: &[(Argument, &[f64])]) -> List {
-        let mut results = List::zeros(self.shared.code[function as usize].outputs().len());
+        let mut results = List::zeros(self.shared.code[function as usize].outputs());
         self.call(function, given, &mut [results.as_mut_slice()]);
         results
     }
@@ -311,12 +335,7 @@ impl<D: 'static> Engine<D> {
         for (argument, values) in given {
             registers.set(places.of(*argument), values);
         }
-        code.run(registers);
-        let mut outputs = code.outputs().iter();
-        for entry in out.iter_mut().flat_map(|list| list.iter_mut()) {
-            *entry = outputs.next().map_or(0.0, |at| registers.get(*at));
-        }
-        outputs.next().map_or(0.0, |at| registers.get(*at))
+        code.run(registers, places).write(registers, code.outputs(), out)
     }
 }
 

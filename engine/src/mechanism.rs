@@ -257,7 +257,7 @@ impl<D: 'static> Mechanism<f64> for Engine<D> {
 impl<D: 'static> Engine<D> {
     /// Whether the mechanism has this function.
     pub(crate) fn has(&self, function: Function) -> bool {
-        !self.shared.code[function as usize].outputs().is_empty()
+        self.shared.code[function as usize].outputs() > 0
     }
 
     /// A function of time and position.

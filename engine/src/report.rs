@@ -74,6 +74,6 @@ impl<D: 'static> Engine<D> {
     }
 
     fn results(&self, function: Function) -> List {
-        List::zeros(self.shared.code[function as usize].outputs().len())
+        List::zeros(self.shared.code[function as usize].outputs())
     }
 }

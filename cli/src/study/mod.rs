@@ -7,6 +7,7 @@ pub mod expression;
 pub mod inputs;
 pub mod methods;
 pub mod moving_picture;
+mod native;
 pub mod options;
 pub mod plot;
 pub mod record;
@@ -21,7 +22,7 @@ use inputs::Laws;
 use linkwright_compiler::diagnostics::Diagnostics;
 use linkwright_compiler::source::Located;
 use linkwright_compiler::{Compiled, compile_with, header, parse_at};
-use linkwright_engine::{Engine, EngineError};
+use linkwright_engine::{Engine, EngineError, Made, Translator};
 use linkwright_runtime::AssembleExt;
 use methods::{AnyEngine, EngineState};
 use options::{Command, Study};
@@ -29,6 +30,7 @@ use serde_json::{Value, json};
 use std::io::{IsTerminal, stderr};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::sync::Arc;
 
 /// Why a study ends early.
 pub enum Failure {
@@ -173,12 +175,28 @@ pub fn load(found: &Found, study: &Study) -> Result<Loaded, Failure> {
     let name = compiled.mechanism.name.text.clone();
     let parameters = parameters(&compiled, &study.set).map_err(Failure::Usage)?;
     let too_large = |error: EngineError| Failure::Motion(error.to_string());
+    let translator = if study.native { Some(native::translator().map_err(Failure::Usage)?) } else { None };
     let engine = if is_implicit {
-        AnyEngine::Implicit(prepared(Engine::of(&compiled).map_err(too_large)?, parameters.as_deref())?)
+        let engine = engine(&compiled, translator).map_err(too_large)?;
+        AnyEngine::Implicit(prepared(engine, parameters.as_deref())?)
     } else {
-        AnyEngine::Plain(prepared(Engine::of(&compiled).map_err(too_large)?, parameters.as_deref())?)
+        let engine = engine(&compiled, translator).map_err(too_large)?;
+        AnyEngine::Plain(prepared(engine, parameters.as_deref())?)
     };
     Ok(Loaded { name, compiled, engine, warnings })
+}
+
+fn engine<D: 'static>(
+    compiled: &Compiled,
+    translator: Option<Arc<dyn Translator>>,
+) -> Result<Engine<D>, EngineError>
+where
+    Engine<D>: Made,
+{
+    match translator {
+        None => Engine::of(compiled),
+        Some(translator) => Engine::translated(compiled, translator),
+    }
 }
 
 fn prepared<D: 'static>(engine: Engine<D>, parameters: Option<&[f64]>) -> Result<Engine<D>, Failure> {

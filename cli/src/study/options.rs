@@ -61,8 +61,8 @@ impl Command {
 }
 
 /// What every command that moves a mechanism is told.
-const OF_A_RUN: [&str; 8] =
-    ["mechanism", "for", "step", "every", "formulation", "integrator", "set", "input"];
+const OF_A_RUN: [&str; 9] =
+    ["mechanism", "for", "step", "every", "formulation", "integrator", "set", "input", "native"];
 
 const RUN: &str = "\
 Moves a mechanism and writes what is measured, as comma-separated values.
@@ -78,6 +78,7 @@ usage: linkwright run [options] FILE
                           generalised_alpha:0.8, implicit_trapezoidal, ali3p
   --set NAME=VALUE        a parameter, in its unit; may be repeated
   --input NAME=EXPRESSION an input as a function of the time t, in its unit: 'drive=2*sin(pi*t)'; or NAME=FILE.csv, FILE.csv
+  --native                machine code in place of the interpreter, for long runs and large mechanisms; the same numbers
   --show LIST             of outputs, inputs, state, energy, residual, reactions, efforts, powers, motions; or all
   --out FILE              in place of standard output
   --json                  for machines
@@ -96,7 +97,7 @@ usage: linkwright plot [options] FILE
   --out FILE              in place of standard output
   --json                  for machines: the picture as a field
 
---mechanism, --for, --step, --formulation, --integrator, --set and --input are those of `linkwright run`.
+--mechanism, --for, --step, --formulation, --integrator, --set, --input and --native are those of `linkwright run`.
 ";
 
 const ANIMATE: &str = "\
@@ -111,7 +112,7 @@ usage: linkwright animate [options] FILE
   --out FILE              NAME.html or NAME.svg if it is not given, NAME that of the mechanism
   --json                  for machines: what was written
 
---mechanism, --for, --step, --formulation, --integrator, --set and --input are those of `linkwright run`.
+--mechanism, --for, --step, --formulation, --integrator, --set, --input and --native are those of `linkwright run`.
 ";
 
 const SWEEP: &str = "\
@@ -125,7 +126,7 @@ usage: linkwright sweep [options] FILE
   --out FILE                   in place of standard output
   --json                       for machines
 
---mechanism, --for, --step, --every, --formulation, --integrator, --set and --input are those of `linkwright run`.
+--mechanism, --for, --step, --every, --formulation, --integrator, --set, --input and --native are those of `linkwright run`.
 ";
 
 const DRAW: &str = "\
@@ -147,7 +148,7 @@ usage: linkwright watch [options] FILE
 
   --port NUMBER           4180 if it is not given; 0 is any that is free
 
---mechanism, --for, --step, --every, --formulation, --integrator, --set and --input are those of `linkwright animate`.
+--mechanism, --for, --step, --every, --formulation, --integrator, --set, --input and --native are those of `linkwright animate`.
 ";
 
 /// What a command is asked to do.
@@ -161,6 +162,8 @@ pub struct Study {
     /// Name and value in the unit of the parameter.
     pub set: Vec<(String, f64)>,
     pub inputs: Vec<String>,
+    /// Machine code in place of the interpreter.
+    pub native: bool,
     pub over: Vec<Over>,
     pub measures: Vec<String>,
     pub show: Option<Vec<Group>>,
@@ -197,6 +200,7 @@ pub fn parse(
         course: course.clone(),
         set: Vec::new(),
         inputs: Vec::new(),
+        native: false,
         over: Vec::new(),
         measures: Vec::new(),
         show: None,
@@ -232,6 +236,7 @@ pub fn parse(
         let flag = match option.as_str() {
             "json" => Some(&mut study.json),
             "svg" => Some(&mut study.svg),
+            "native" => Some(&mut study.native),
             _ => None,
         };
         if let Some(flag) = flag {
@@ -281,6 +286,11 @@ pub fn parse(
     }
     if study.speed != 1.0 && !study.svg {
         return Err("--speed is of the picture that --svg writes; a page has a choice of its own".to_string());
+    }
+    if study.native && !cfg!(feature = "native") {
+        return Err("--native: this program has been built without machine code; install it with `--features native`, or leave \
+                    --native out: the interpreter gives the same numbers"
+            .to_string());
     }
     let Some(file) = file else {
         return Err(format!("{} needs a file: write its path, or `-` for standard input", command.text()));
