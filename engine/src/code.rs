@@ -35,9 +35,11 @@ impl Registers {
     #[inline]
     pub fn set(&mut self, at: u16, values: &[f64]) {
         let at = usize::from(at);
-        // They are few: one by one is quicker than a call that copies.
-        for (to, value) in self.0[at..at + values.len()].iter_mut().zip(values) {
-            *to = *value;
+        // Most have one entry or none, for which a call that copies is not worth it.
+        match values {
+            [] => {}
+            [value] => self.0[at] = *value,
+            _ => self.0[at..at + values.len()].copy_from_slice(values),
         }
     }
 }
