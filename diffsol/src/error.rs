@@ -15,6 +15,11 @@ pub enum Error {
         /// The time, s.
         time: f64,
     },
+    /// Contacts are rigid: their impulses are no part of differential equations.
+    RigidContact {
+        /// The first of them.
+        contact: &'static str,
+    },
     /// A time at which a state is asked for is before the one before it or the start, infinite or NaN.
     Time {
         /// Its index.
@@ -40,6 +45,11 @@ impl Display for Error {
             Error::StartTime { time } => {
                 write!(f, "the start time {time} s is not finite; give a finite one")
             }
+            Error::RigidContact { contact } => write!(
+                f,
+                "`{contact}` is a rigid contact, whose impulses a solver of differential equations does not know; move the mechanism \
+                 with a `Simulation`, or give the contact a law that yields"
+            ),
             Error::Time { index, time } => write!(
                 f,
                 "time {index} of those asked for, {time} s, is not finite or before the one before it; give times in \

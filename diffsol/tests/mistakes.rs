@@ -125,3 +125,25 @@ fn singular_starts() {
     let error = problem(&model, 0.0, &start, |_, _| (), &Settings::default()).err();
     assert!(matches!(error, Some(Error::Mechanism(SimulationError::Breakdown { .. }))), "{error:?}");
 }
+
+linkwright::mechanism! {
+    planar Bouncing {
+        gravity [m/s^2] = (0, -9.81);
+        particle ball { mass [kg] = 1; }
+        surface below: point(ball.center);
+        surface floor: half_plane(line(ground(0, 0) [m], ground(1, 0) [m]));
+        contact stop: between(below, floor) = rigid(restitution = 0.8);
+        start { ball.center.x [m] = 0; ball.center.y [m] = 1; }
+    }
+}
+
+/// It would fall through.
+#[test]
+fn rigid_contacts() {
+    let model = Bouncing::<f64>::default();
+    let start = linkwright::AssembleExt::start(&model);
+    let error = problem(&model, 0.0, &start, |_, _| (), &Settings::default()).err();
+    let error = error.expect("it is refused");
+    assert!(matches!(error, Error::RigidContact { contact: "stop" }), "{error:?}");
+    assert!(error.to_string().contains("`stop` is a rigid contact"), "{error}");
+}

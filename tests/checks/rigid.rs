@@ -1,9 +1,9 @@
 //! Rigid contacts: against closed forms and published values, by every explicit method, in both coordinate sets, in closed loops.
 
 use linkwright::{
-    Assemble, Baumgarte, DormandPrince, ExplicitTrapezoidal, Formulation, Integrator, LagrangeIndex1,
-    MechanismDynamics, NoInputs, NullSpace, Partitioned, Projected, Rk4, SemiImplicitEuler, Simulation,
-    SimulationError, StateOf, Step,
+    Assemble, AugmentedLagrangian, Baumgarte, DormandPrince, ExplicitTrapezoidal, Formulation, Integrator,
+    LagrangeIndex1, MechanismDynamics, NoInputs, NullSpace, Partitioned, Penalty, Projected, Rk4,
+    SemiImplicitEuler, Simulation, SimulationError, StateOf, Step,
 };
 
 linkwright::mechanism! {
@@ -249,6 +249,7 @@ fn a_slider_crank_comes_to_its_stops() {
     let (impacts, off, end) = balance(&model, Stopped::START, projected, Rk4, 1e-4);
     println!("{impacts} impacts, energy {off:.1e} J off, at {:?}", end.q);
     assert!(impacts >= 3 && off.abs() < 1e-9);
+    let augmented = AugmentedLagrangian::new(Penalty::for_model(&model, 0.0, &Stopped::START.q, 5e-4));
     macro_rules! by {
         ($($name:literal: $formulation:expr, $integrator:expr, $h:literal, $bound:literal;)*) => {$({
             let (count, off, found) = balance(&model, Stopped::START, $formulation, $integrator, $h);
@@ -262,6 +263,8 @@ fn a_slider_crank_comes_to_its_stops() {
         "null space, RK4": NullSpace, Rk4, 5e-4, 1e-6;
         "Baumgarte, RK4": Baumgarte { alpha: 10.0, beta: 10.0 }, Rk4, 5e-4, 1e-6;
         "partitioned, RK4": Partitioned::default(), Rk4, 5e-4, 1e-4;
+        "penalty, RK4": Penalty::for_model(&model, 0.0, &Stopped::START.q, 1e-4), Rk4, 1e-4, 1e-2;
+        "augmented Lagrangian, RK4": augmented, Rk4, 5e-4, 1e-6;
         "explicit trapezoidal": LagrangeIndex1, ExplicitTrapezoidal, 5e-4, 1e-2;
         "semi-implicit Euler": LagrangeIndex1, SemiImplicitEuler, 1e-4, 5e-2;
     }
