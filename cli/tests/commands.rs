@@ -379,3 +379,12 @@ fn the_format_is_described() {
         assert!(page.contains(&format!("`{key}`")), "docs/command-line.md does not describe `{key}`");
     }
 }
+
+/// Without the feature the option says what to do; with it, `native.rs` compares.
+#[cfg(not(feature = "native"))]
+#[test]
+fn machine_code_has_to_be_built_in() {
+    let refused = ran(&["run", "../../../docs/mechanisms/crank_rocker.mech", "--for", "10ms", "--native"]);
+    assert_eq!((refused.code, refused.out.as_str()), (2, ""), "{}", refused.err);
+    assert!(refused.err.contains("install it with `--features native`"), "{}", refused.err);
+}

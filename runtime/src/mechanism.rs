@@ -236,8 +236,8 @@ pub trait Mechanism<R: Real>: Variables<R> {
     ) {
         let _ = (time, q, v, rates, biases, restitutions);
     }
-    /// The gates as they are at a state, whatever its own are; open where contacts are rigid: 1 where the gap is below zero and the force of the law above, else 0. What
-    /// a state that was put together by hand needs, and one at which derivatives are asked for.
+    /// The gates as they are at a state, whatever its own are: 1 where the gap is below zero and the force of the law above, else 0; 0, which
+    /// is open, of rigid contacts. What a state that was put together by hand needs, and one at which derivatives are asked for.
     ///
     /// ```text
     /// state.gates = model.live_gates(time, &state);

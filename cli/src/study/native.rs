@@ -12,8 +12,10 @@ pub fn translator() -> Result<Arc<dyn Translator>, String> {
     }
 }
 
-/// The option is refused before.
+/// There is nothing to make it.
 #[cfg(not(feature = "native"))]
 pub fn translator() -> Result<Arc<dyn Translator>, String> {
-    Err("--native: this program has been built without machine code".to_string())
+    Err("--native: this program has been built without machine code; install it with `--features native`, or leave --native out: \
+         the interpreter gives the same numbers"
+        .to_string())
 }

@@ -287,11 +287,6 @@ pub fn parse(
     if study.speed != 1.0 && !study.svg {
         return Err("--speed is of the picture that --svg writes; a page has a choice of its own".to_string());
     }
-    if study.native && !cfg!(feature = "native") {
-        return Err("--native: this program has been built without machine code; install it with `--features native`, or leave \
-                    --native out: the interpreter gives the same numbers"
-            .to_string());
-    }
     let Some(file) = file else {
         return Err(format!("{} needs a file: write its path, or `-` for standard input", command.text()));
     };

@@ -3,8 +3,7 @@
 //! Joins a model, a formulation, an input source and an integrator, each a type of its own. What happens inside one
 //! step, and how its failure is named, is `step.rs`, whether its result is in proportion `proportion.rs`; the clock is
 //! the `clock.rs` of the crate, runs and their bounds `course.rs`, dense output `between.rs`, events are `event.rs` and `locate.rs`, gates that
-//! are held within a step `held.rs`, rigid contacts
-//! `rigid.rs`. Nothing here allocates.
+//! are held within a step `held.rs`, rigid contacts `rigid.rs`. Nothing here allocates.
 
 mod between;
 mod complementarity;
