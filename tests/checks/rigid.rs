@@ -124,8 +124,8 @@ fn a_ball_bounces_and_rests() {
     simulation.advance_until(2.0).expect("it moves");
     close(simulation.state().q[1], 0.2607417283270572, 1e-11, "height");
     simulation.advance_until(3.0).expect("it moves");
-    close(simulation.state().q[1], 0.068707460965765722, 1e-11, "height");
-    let at_rest = 4.0637127688715781;
+    close(simulation.state().q[1], 0.068_707_460_965_765_72, 1e-11, "height");
+    let at_rest = 4.063_712_768_871_578;
     let (mut rested, mut lost, mut impacts) = (0, 0.0, 0);
     simulation.advance_until(at_rest - 2e-9).expect("it moves");
     assert_eq!(simulation.state().gates, [0.0]);
@@ -168,7 +168,7 @@ fn dense_output_ends_at_a_touch() {
             assert!(sample.outputs.height >= -1e-12, "{} m at {} s", sample.outputs.height, sample.time);
             assert_eq!(sample.outputs.gap, sample.outputs.height);
             if (sample.time - 3.0).abs() < 1e-9 {
-                close(sample.outputs.height, 0.068707460965765722, 1e-9, "height");
+                close(sample.outputs.height, 0.068_707_460_965_765_72, 1e-9, "height");
             }
             if sample.time > 4.07 {
                 close(sample.outputs.force, 9.81, 1e-12, "force at rest");
