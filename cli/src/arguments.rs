@@ -14,6 +14,7 @@ usage: linkwright run     [options] FILE    moves it and writes what is measured
        linkwright plot    [options] FILE    what a run shows over time, as SVG
        linkwright animate [options] FILE    a page with its motion
        linkwright sweep   [options] FILE    what is measured of runs with many values of a parameter
+       linkwright influence [options] FILE  by how much a quantity changes with each parameter
        linkwright draw    [options] FILE    a drawing of it, as SVG
        linkwright watch   [options] FILE    a page on this machine that follows it as it is edited
        linkwright check   [options] FILE…   errors of every definition, as the macro reports them
@@ -165,7 +166,7 @@ fn named(word: &str) -> Result<Command, String> {
 }
 
 /// All commands.
-const ALL: &str = "run, plot, animate, sweep, draw, watch, check, explain, counts and export";
+const ALL: &str = "run, plot, animate, sweep, influence, draw, watch, check, explain, counts and export";
 
 fn is_language(word: &str) -> Result<(), String> {
     match word {

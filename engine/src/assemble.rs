@@ -6,7 +6,10 @@ use linkwright_compiler::functions::Argument::{
     BetaSquared, Compliance, GivenForces, GivenRows, Lu, Q, Store as Kept, Target, Time, TwoAlpha, V,
 };
 use linkwright_compiler::functions::Function;
-use linkwright_runtime::{Assemble, Condition, Elimination, Flips, Mechanism, StateOf, Vector, tabled};
+use linkwright_runtime::{
+    Assemble, AssembleExt, AssemblyError, Condition, Elimination, Flips, Mechanism, State, StateOf, Vector,
+    assemble_position, assemble_velocity, tabled,
+};
 use std::fmt;
 use std::slice::from_ref;
 
@@ -229,6 +232,28 @@ impl<D: 'static> Assemble<f64> for Engine<D> {
 }
 
 impl<D: 'static> Engine<D> {
+    /// The start with these parameters, near that of the definition. What `start` says of a coordinate that a driver moves is left to the
+    /// driver, whose law says it too, with these parameters perhaps otherwise: stated twice it could not be solved for.
+    ///
+    /// # Errors
+    /// As [`assemble`](AssembleExt::assemble).
+    pub fn assembled_start(&self) -> Result<StateOf<Self>, AssemblyError> {
+        let near = self.start();
+        let (mut positions, mut rates) = (self.zero_conditions(), self.zero_conditions());
+        self.start_targets(&mut positions, &mut rates);
+        let driven = &self.shared.tables.driven;
+        let others = |stated: &[u16]| -> Vec<u16> {
+            stated.iter().copied().filter(|index| !driven.contains(index)).collect()
+        };
+        let q = assemble_position(self, 0.0, &near.q, &positions, &others(self.start_conditions()))?;
+        let v = assemble_velocity(self, 0.0, &q, &rates, &others(self.start_rates()))?;
+        let mut state = State { q, v, z: self.start_internal(), gates: self.start_gates() };
+        if !state.gates.as_slice().is_empty() {
+            state.gates = self.live_gates(0.0, &state);
+        }
+        Ok(state)
+    }
+
     /// Q and γ − 2α (D v − ν) − β² Φ, in the order of operations of the runtime's `system`.
     fn right_hand_sides(
         &self,

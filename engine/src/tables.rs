@@ -38,6 +38,8 @@ pub struct Tables {
     pub conditions: Vec<Condition>,
     pub start_conditions: Vec<u16>,
     pub start_rates: Vec<u16>,
+    /// Conditions that a driver's law states.
+    pub driven: Vec<u16>,
     pub independent: Vec<u16>,
     pub condition_jacobian: Pattern,
     pub flips: Vec<Flips<'static>>,
@@ -119,6 +121,10 @@ impl Tables {
             conditions: conditions(compiled),
             start_conditions: stated(false),
             start_rates: stated(true),
+            driven: short((0..complete.conditions.rows.len()).filter(|index| {
+                let coordinate = &complete.conditions.rows[*index].coordinate;
+                mechanism.drivers.iter().any(|driver| driver.coordinate == *coordinate)
+            })),
             independent: short(compiled.independent.iter().copied()),
             condition_jacobian: pattern(&CONDITION_JACOBIAN),
             flips: flips(compiled),

@@ -88,8 +88,8 @@ pub use lanes::{F32x8, F32x16, F64x4, F64x8};
 pub use lanes::{InScalars, LaneMethod, LaneStepper, Lanes, Ticks};
 pub use layout::{Layout, MultiTurn, inverse_differential, retract, retract_counting};
 pub use linearisation::{
-    Actuation, ByParameters, Equilibrium, EquilibriumOf, Linearisation, Response, StateSpace, actuation,
-    equilibrium,
+    Actuation, Assembled, ByParameters, Equilibrium, EquilibriumOf, Linearisation, Moved, MovedOf, Response,
+    StateSpace, actuation, equilibrium,
 };
 pub use mechanism::{Assemble, Condition, ConditionKind, Elimination, Flips, Mechanism, Row};
 pub use named::{Angle, Turns};

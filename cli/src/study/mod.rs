@@ -1,10 +1,12 @@
-//! What moves a mechanism and shows it, without Rust: `run`, `plot`, `animate`, `sweep`, `draw`, `watch`. The definition is read by the engine, so that
+//! What moves a mechanism and shows it, without Rust: `run`, `plot`, `animate`, `sweep`, `influence`, `draw`, `watch`. The definition is read by the engine, so that
 //! every method and message is that of a compiled mechanism.
 
 pub mod animate;
 pub mod draw;
 pub mod expression;
+mod influence;
 pub mod inputs;
+mod measure;
 pub mod methods;
 pub mod moving_picture;
 mod native;
@@ -12,6 +14,7 @@ pub mod options;
 pub mod plot;
 pub mod record;
 pub mod run;
+mod runs;
 pub mod sweep;
 pub mod watch;
 
@@ -92,6 +95,7 @@ pub fn study(study: &Study) -> ExitCode {
             Command::Plot => plot::plot(study, &loaded),
             Command::Animate => animate::animate(study, &loaded),
             Command::Sweep => sweep::sweep(study, &loaded),
+            Command::Influence => influence::influence(study, &loaded),
             Command::Draw | Command::Watch => draw::draw(study, &loaded),
         };
         done.map(|value| (value, loaded.warnings))
@@ -163,8 +167,8 @@ pub fn load(found: &Found, study: &Study) -> Result<Loaded, Failure> {
     if !found.errors.is_empty() {
         return Err(Failure::Definition(found.errors.clone()));
     }
-    let is_implicit = study.course.integrator.is_implicit();
-    let emit: &[&str] = if is_implicit { &["tangent"] } else { &[] };
+    let differentiates = study.course.integrator.is_implicit() || study.command == Command::Influence;
+    let emit: &[&str] = if differentiates { &["tangent"] } else { &[] };
     let stages = || -> Result<Compiled, Diagnostics> {
         let beside = || Some(PathBuf::from(&found.source.name));
         let definition = parse_at(found.tokens.stream.clone(), &|_| beside())?;
@@ -176,7 +180,7 @@ pub fn load(found: &Found, study: &Study) -> Result<Loaded, Failure> {
     let parameters = parameters(&compiled, &study.set).map_err(Failure::Usage)?;
     let too_large = |error: EngineError| Failure::Motion(error.to_string());
     let translator = if study.native { Some(native::translator().map_err(Failure::Usage)?) } else { None };
-    let engine = if is_implicit {
+    let engine = if differentiates {
         let engine = engine(&compiled, translator).map_err(too_large)?;
         AnyEngine::Implicit(prepared(engine, parameters.as_deref())?)
     } else {
@@ -225,11 +229,10 @@ pub fn parameters(compiled: &Compiled, set: &[(String, f64)]) -> Result<Option<V
 
 /// The start of an engine; assembled anew where parameters differ from those of the definition.
 pub fn start<D: 'static>(engine: &Engine<D>) -> Result<EngineState, Failure> {
-    let start = engine.start();
     if engine.parameters() == engine.default_parameters() {
-        return Ok(start);
+        return Ok(engine.start());
     }
-    engine.assemble(&start).map_err(|error| Failure::Motion(error.to_string()))
+    engine.assembled_start().map_err(|error| Failure::Motion(error.to_string()))
 }
 
 /// The inputs of a study.

@@ -16,13 +16,21 @@ pub enum Command {
     Plot,
     Animate,
     Sweep,
+    Influence,
     Draw,
     Watch,
 }
 
 impl Command {
-    pub const ALL: [Command; 6] =
-        [Command::Run, Command::Plot, Command::Animate, Command::Sweep, Command::Draw, Command::Watch];
+    pub const ALL: [Command; 7] = [
+        Command::Run,
+        Command::Plot,
+        Command::Animate,
+        Command::Sweep,
+        Command::Influence,
+        Command::Draw,
+        Command::Watch,
+    ];
 
     pub fn text(self) -> &'static str {
         match self {
@@ -30,6 +38,7 @@ impl Command {
             Command::Plot => "plot",
             Command::Animate => "animate",
             Command::Sweep => "sweep",
+            Command::Influence => "influence",
             Command::Draw => "draw",
             Command::Watch => "watch",
         }
@@ -42,6 +51,7 @@ impl Command {
             Command::Plot => &["show", "against", "out", "json"],
             Command::Animate => &["svg", "speed", "out", "json"],
             Command::Sweep => &["over", "measure", "out", "json"],
+            Command::Influence => &["of", "measure", "by", "along", "svg", "against", "csv", "out", "json"],
             Command::Draw => return vec!["mechanism", "set", "out", "json"],
             Command::Watch => &["port"],
         };
@@ -54,6 +64,7 @@ impl Command {
             Command::Plot => PLOT,
             Command::Animate => ANIMATE,
             Command::Sweep => SWEEP,
+            Command::Influence => INFLUENCE,
             Command::Draw => DRAW,
             Command::Watch => WATCH,
         }
@@ -129,6 +140,26 @@ usage: linkwright sweep [options] FILE
 --mechanism, --for, --step, --every, --formulation, --integrator, --set, --input and --native are those of `linkwright run`.
 ";
 
+const INFLUENCE: &str = "\
+Tells by how much an output, or what is measured of a run, changes with each parameter: a table, the most influential first.
+
+usage: linkwright influence [options] FILE
+
+  --of NAME               an output, whose derivatives are exact, or another column of `linkwright sweep`; may be repeated;
+                          all outputs if neither --of nor --measure is given. The mechanism stays assembled: at the start, with
+                          its independent coordinates and their rates held
+  --measure EXPRESSION    of a run, as of `linkwright sweep`, by differences with an error; may be repeated
+  --by NAME               a parameter; may be repeated; all of them if it is not given
+  --along                 at each sample of a run, not at the start: outputs and their exact derivatives as comma-separated values
+  --svg                   of --along a plot of what +1 % of each parameter does
+  --against NAME          of that plot an output along the horizontal axis, in place of the time
+  --csv                   comma-separated values, in place of a table
+  --out FILE              in place of standard output
+  --json                  for machines
+
+--mechanism, --for, --step, --every, --formulation, --integrator, --set, --input and --native are those of `linkwright run`.
+";
+
 const DRAW: &str = "\
 Draws a mechanism at its start, as SVG.
 
@@ -166,6 +197,12 @@ pub struct Study {
     pub native: bool,
     pub over: Vec<Over>,
     pub measures: Vec<String>,
+    /// Quantities at the start, and parameters, of `influence`.
+    pub of: Vec<String>,
+    pub by: Vec<String>,
+    /// Along a run.
+    pub along: bool,
+    pub csv: bool,
     pub show: Option<Vec<Group>>,
     /// The quantity along the horizontal axis of a plot; the time if none.
     pub against: Option<String>,
@@ -203,6 +240,10 @@ pub fn parse(
         native: false,
         over: Vec::new(),
         measures: Vec::new(),
+        of: Vec::new(),
+        by: Vec::new(),
+        along: false,
+        csv: false,
         show: None,
         against: None,
         out: None,
@@ -237,6 +278,8 @@ pub fn parse(
             "json" => Some(&mut study.json),
             "svg" => Some(&mut study.svg),
             "native" => Some(&mut study.native),
+            "along" => Some(&mut study.along),
+            "csv" => Some(&mut study.csv),
             _ => None,
         };
         if let Some(flag) = flag {
@@ -261,6 +304,8 @@ pub fn parse(
             "input" => study.inputs.push(text),
             "over" => study.over.push(Over::parse(&text)?),
             "measure" => study.measures.push(text),
+            "of" => study.of.push(text),
+            "by" => study.by.push(text),
             "port" => {
                 let wrong = |_| format!("--port: \"{text}\" is no port: write a number from 0 to 65535");
                 study.port = text.parse().map_err(wrong)?;
@@ -286,6 +331,14 @@ pub fn parse(
     }
     if study.speed != 1.0 && !study.svg {
         return Err("--speed is of the picture that --svg writes; a page has a choice of its own".to_string());
+    }
+    if command == Command::Influence {
+        if study.svg && !study.along {
+            return Err("--svg is of --along: what is at the start alone is no curve".to_string());
+        }
+        if study.against.is_some() && !study.svg {
+            return Err("--against is of the plot of --along --svg".to_string());
+        }
     }
     let Some(file) = file else {
         return Err(format!("{} needs a file: write its path, or `-` for standard input", command.text()));

@@ -1,7 +1,8 @@
 //! `linkwright plot`: what a run shows over time, or against another quantity, as SVG: a panel for each quantity, never two on one
 //! axis.
 
-use super::animate::{Curve, Film, film};
+pub use super::animate::Curve;
+use super::animate::{Film, film};
 use super::expression::unknown;
 use super::options::Study;
 use super::record::Group;
@@ -104,6 +105,12 @@ impl<'f> Axis<'f> {
         let inner = 1.12 * upward * (WIDTH - LEFT - RIGHT) / (most - least);
         if inner.is_finite() { inner.clamp(60.0, 1200.0) + TITLE + 4.0 + FOOT } else { HEIGHT }
     }
+}
+
+/// The picture of curves against a quantity with its unit and its values.
+pub fn picture_against(name: &str, axis: (&str, &str, &[f64]), curves: &[Curve]) -> String {
+    let (of, unit, values) = axis;
+    picture(name, &Axis { name: of, unit, values }, &curves.iter().collect::<Vec<_>>())
 }
 
 /// A unit as it is printed.

@@ -4,7 +4,7 @@ use super::expression::unknown;
 use super::methods::EngineState;
 use linkwright_compiler::Compiled;
 use linkwright_compiler::functions::{MOTION, REACTION, Record};
-use linkwright_compiler::model::{DeclaredUnit, Space};
+use linkwright_compiler::model::{Coordinate, DeclaredUnit, Space};
 use linkwright_engine::{Engine, Numbers};
 use linkwright_runtime::{Mechanism as _, Residual, Vector};
 
@@ -123,7 +123,14 @@ pub fn columns(compiled: &Compiled, groups: &[Group]) -> Vec<Column> {
             }
             Group::Efforts => {
                 let drivers = || mechanism.drivers.iter().map(|driver| driver.name.text.as_str());
-                drivers().for_each(|name| add(format!("{name}.effort"), "SI", 1.0));
+                mechanism.drivers.iter().for_each(|driver| {
+                    let unit = match driver.coordinate {
+                        Coordinate::Angle(_) => "N*m",
+                        Coordinate::Travel(..) | Coordinate::Position(..) | Coordinate::Distance(..) => "N",
+                        _ => "SI",
+                    };
+                    add(format!("{}.effort", driver.name.text), unit, 1.0);
+                });
                 drivers().for_each(|name| add(format!("{name}.power"), "W", 1.0));
             }
             Group::Powers => {

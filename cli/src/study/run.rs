@@ -125,7 +125,7 @@ pub fn csv(trajectory: &Trajectory) -> String {
 }
 
 /// Plain digits where they are few, else with an exponent.
-fn number(text: &mut String, value: f64) {
+pub fn number(text: &mut String, value: f64) {
     let size = value.abs();
     let _ = if size != 0.0 && !(1e-5..1e16).contains(&size) {
         write!(text, "{value:e}")

@@ -1,22 +1,14 @@
 //! `linkwright sweep`: a run for each value of a parameter, or for each pair of values of two, on all cores, and what is measured of each.
 
-use super::expression::{Expression, call, pair, unknown};
-use super::methods::{self, AnyEngine, EngineState};
+use super::expression::{Expression, unknown};
+use super::measure::{GROUPS, measures, value};
 use super::options::Study;
-use super::record::{Group, Trajectory, columns};
-use super::{Done, Failure, Loaded, laws, short, start, write};
+use super::record::columns;
+use super::runs::{on_all_cores, run_with};
+use super::{Done, Failure, Loaded, laws, short, write};
 use crate::with_engine;
-use linkwright_engine::Numbers;
 use serde_json::{Value, json};
 use std::fmt::Write;
-use std::sync::atomic::{AtomicUsize, Ordering};
-
-/// What a measure may be of.
-const GROUPS: [Group; 6] =
-    [Group::Outputs, Group::Energy, Group::Residual, Group::Reactions, Group::Efforts, Group::Powers];
-
-/// Functions of a whole run.
-const MEASURES: [&str; 7] = ["max", "min", "mean", "rms", "range", "first", "last"];
 
 /// Values of a parameter, in its unit.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,7 +45,11 @@ struct Point {
 
 /// The command.
 pub fn sweep(study: &Study, loaded: &Loaded) -> Result<Done, Failure> {
-    let measures = measures(study, loaded).map_err(Failure::Usage)?;
+    if study.measures.is_empty() {
+        let message = "sweep needs `--measure`, such as --measure 'max(swing)'".to_string();
+        return Err(Failure::Usage(message));
+    }
+    let measures = measures(&study.measures, &loaded.compiled).map_err(Failure::Usage)?;
     let combined = combinations(study, loaded).map_err(Failure::Usage)?;
     let points = points(study, loaded, &measures, combined)?;
     let failed = points.iter().filter(|point| point.measured.is_err()).count();
@@ -75,41 +71,6 @@ pub fn sweep(study: &Study, loaded: &Loaded) -> Result<Done, Failure> {
         );
     }
     Ok(Done { value, failed: failed > 0 })
-}
-
-/// The measures, whose names are known.
-fn measures(study: &Study, loaded: &Loaded) -> Result<Vec<Expression>, String> {
-    if study.measures.is_empty() {
-        return Err("sweep needs `--measure`, such as --measure 'max(swing)'".to_string());
-    }
-    let columns = columns(&loaded.compiled, &GROUPS);
-    let names: Vec<&str> = columns.iter().map(|column| column.name.as_str()).collect();
-    let parsed = study.measures.iter().map(|text| {
-        let expression = Expression::parse(text).map_err(|error| format!("--measure: {error}"))?;
-        check(&expression, &names).map_err(|error| format!("--measure: {error}"))?;
-        Ok(expression)
-    });
-    parsed.collect()
-}
-
-/// Columns stand in functions of whole runs, and nothing else has to do with runs.
-fn check(expression: &Expression, names: &[&str]) -> Result<(), String> {
-    match expression {
-        Expression::Call(name, arguments) if arguments.len() == 1 && MEASURES.contains(&name.as_str()) => {
-            arguments[0].check(names, &[])
-        }
-        Expression::Name(name) if names.contains(&name.as_str()) => Err(format!(
-            "`{name}` has many values in a run: write max({name}), or min, mean, rms, range, first, last"
-        )),
-        Expression::Name(_) | Expression::Number(_) => expression.check(&[], &[]),
-        Expression::Negated(inner) => check(inner, names),
-        Expression::Pair(_, operands) => operands.iter().try_for_each(|operand| check(operand, names)),
-        Expression::Call(name, arguments) => {
-            arguments.iter().try_for_each(|argument| check(argument, names))?;
-            let numbers = vec![Expression::Number(0.0); arguments.len()];
-            Expression::Call(name.clone(), numbers).check(&[], &MEASURES)
-        }
-    }
 }
 
 /// All combinations of the values, the last parameter fastest.
@@ -147,85 +108,15 @@ fn points(
         .filter_map(|over| known.iter().position(|it| it.name.text == over.name))
         .map(|index| (index, known[index].unit.scale))
         .collect();
-    let next = AtomicUsize::new(0);
-    let (combined, columns, laws, next, places) = (&combined, &columns, &laws, &next, &places);
-    let one = |engine: &AnyEngine, values: &[f64]| -> Result<Vec<f64>, String> {
+    let found = on_all_cores(&loaded.engine, combined.len(), &|engine, index| {
         let mut parameters = with_engine!(engine, |engine| engine.parameters().to_vec());
-        places.iter().zip(values).for_each(|((index, scale), value)| parameters[*index] = value * scale);
-        let said = |error: linkwright_runtime::SettingError| error.to_string();
-        let engine = match engine {
-            AnyEngine::Plain(engine) => AnyEngine::Plain(engine.prepared(&parameters).map_err(said)?),
-            AnyEngine::Implicit(engine) => AnyEngine::Implicit(engine.prepared(&parameters).map_err(said)?),
-        };
-        let begin = with_engine!(&engine, |engine| start(engine)).map_err(Failure::text)?;
-        let mut trajectory = Trajectory::new(columns.clone());
-        let mut show = |time: f64, state: &EngineState, inputs: &Numbers, outputs: &Numbers| {
-            with_engine!(&engine, |engine| trajectory.add(engine, &GROUPS, time, state, inputs, outputs));
-        };
-        methods::run(&engine, &begin, laws, &study.course, &mut show).map_err(|error| error.to_string())?;
-        Ok(measures.iter().map(|measure| value(measure, &trajectory)).collect())
-    };
-    let cores = std::thread::available_parallelism().map_or(1, usize::from).min(combined.len().max(1));
-    let mut found: Vec<(usize, Result<Vec<f64>, String>)> = std::thread::scope(|scope| {
-        let threads: Vec<_> = (0..cores)
-            .map(|_| {
-                let engine = loaded.engine.clone();
-                let one = &one;
-                scope.spawn(move || {
-                    let mut own = Vec::new();
-                    loop {
-                        let index = next.fetch_add(1, Ordering::Relaxed);
-                        let Some(values) = combined.get(index) else { return own };
-                        own.push((index, one(&engine, values)));
-                    }
-                })
-            })
-            .collect();
-        threads.into_iter().flat_map(|thread| thread.join().unwrap_or_default()).collect()
+        let values = places.iter().zip(&combined[index]);
+        values.for_each(|((place, scale), value)| parameters[*place] = value * scale);
+        let run = run_with(engine, &parameters, &laws, &study.course, &columns)?;
+        Ok(measures.iter().map(|measure| value(measure, &run)).collect())
     });
-    found.sort_by_key(|(index, _)| *index);
-    let point = |(index, measured): (usize, _)| Point { values: combined[index].clone(), measured };
-    Ok(found.into_iter().map(point).collect())
-}
-
-/// The value of a measure of a run.
-fn value(measure: &Expression, run: &Trajectory) -> f64 {
-    match measure {
-        Expression::Call(name, arguments) if arguments.len() == 1 && MEASURES.contains(&name.as_str()) => {
-            let index = |name: &str| run.columns.iter().position(|column| column.name == name);
-            let rows = run.rows().map(|row| arguments[0].value(&|name| index(name).map(|index| row[index])));
-            of_run(name, &run.times, &rows.collect::<Vec<f64>>())
-        }
-        Expression::Negated(inner) => -value(inner, run),
-        Expression::Pair(sign, operands) => pair(*sign, value(&operands[0], run), value(&operands[1], run)),
-        Expression::Call(name, arguments) => {
-            call(name, &arguments.iter().map(|argument| value(argument, run)).collect::<Vec<_>>())
-        }
-        Expression::Number(_) | Expression::Name(_) => measure.value(&|_| None),
-    }
-}
-
-/// Means are over time, by trapezoids between samples.
-fn of_run(name: &str, times: &[f64], values: &[f64]) -> f64 {
-    let least = || values.iter().copied().fold(f64::INFINITY, f64::min);
-    let most = || values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let mean = |of: fn(f64) -> f64| {
-        let area: f64 = times
-            .windows(2)
-            .zip(values.windows(2))
-            .map(|(t, x)| 0.5 * (t[1] - t[0]) * (of(x[0]) + of(x[1])))
-            .sum();
-        area / (times[times.len() - 1] - times[0])
-    };
-    match name {
-        "max" => most(),
-        "min" => least(),
-        "mean" => mean(|x| x),
-        "rms" => mean(|x| x * x).sqrt(),
-        "range" => most() - least(),
-        "first" => values[0],
-        _ => values[values.len() - 1],
-    }
+    let point = |(values, measured)| Point { values, measured };
+    Ok(combined.into_iter().zip(found).map(point).collect())
 }
 
 /// A line for each run; of a failed one its message in the last column.
@@ -264,22 +155,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn ranges_and_measures() {
+    fn ranges() {
         let over = Over::parse("l=0.2..0.5:4").expect("it is one");
         assert_eq!(over.values.iter().map(|value| tidy(*value)).collect::<Vec<_>>(), [0.2, 0.3, 0.4, 0.5]);
         for text in ["l", "l=1..2", "l=1:3", "l=a..2:3", "l=1..2:1", "l=1..2:x"] {
             assert!(Over::parse(text).is_err(), "{text}");
         }
-        let (times, values) = ([0.0, 1.0, 3.0], [0.0, 2.0, 2.0]);
-        for (name, expected) in
-            [("max", 2.0), ("min", 0.0), ("range", 2.0), ("mean", 5.0 / 3.0), ("first", 0.0), ("last", 2.0)]
-        {
-            assert!((of_run(name, &times, &values) - expected).abs() < 1e-12, "{name}");
-        }
-        let check = |text: &str| check(&Expression::parse(text).expect(text), &["swing"]);
-        assert_eq!(check("max(swing) - 2 * min(abs(swing))"), Ok(()));
-        assert!(check("swing").unwrap_err().contains("write max(swing)"));
-        assert!(check("max(swign)").unwrap_err().contains("did you mean `swing`?"));
-        assert!(check("maxx(swing)").is_err());
     }
 }

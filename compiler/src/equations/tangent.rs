@@ -116,6 +116,17 @@ impl Tangents {
     }
 }
 
+/// ∂s/∂p and ∂ṡ/∂p of the coordinates of these conditions, where q and v are held: by how much a coordinate is off when a parameter
+/// moves the places that it is between. What is emitted has none of them.
+pub fn coordinates_by_parameters(equations: &Equations, conditions: &[&Condition]) -> [Matrix; 2] {
+    let g = equations.graph.sheet();
+    let seed = Seed::of(g).then(&equations.symbols.parameters);
+    let values: Vec<Node> = conditions.iter().map(|condition| condition.jet.value).collect();
+    let rate = |condition: &&Condition| condition.jet.rate(g, &equations.symbols.v).bare;
+    let rates: Vec<Node> = conditions.iter().map(rate).collect();
+    [values, rates].map(|of| g.differentiate(&of, &seed.gradients))
+}
+
 /// r = M a + Dᵀ λ − Q − Q_f in symbols for a and λ.
 fn residual(g: Sheet, equations: &Equations) -> Vec<Node> {
     let mut residual = g.all(&equations.inverse);

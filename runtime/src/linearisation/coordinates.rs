@@ -49,6 +49,20 @@ impl<'m, R: Real, M: Tangent<R>> Coordinates<'m, R, M> {
         self.admissible.motion(&rows.scaled(-R::ONE), states)
     }
 
+    /// δ with D δ = −`rows` and B δ = −`states`, and of velocities what goes with δq besides: −∂(D v − ν)/∂q δq and −∂ṡ/∂q δq.
+    pub(crate) fn moved(&self, dq: &M::V, rows: &M::Lambda, states: &[R]) -> M::V {
+        let model = self.model;
+        let (mut to_rows, mut all) = (rows.clone(), model.zero_conditions());
+        let to_states = all.as_mut_slice().get_mut(..model.states().len()).unwrap_or_default();
+        for (entry, &given) in to_states.iter_mut().zip(states) {
+            *entry = given;
+        }
+        add_block(model.rate_pattern(), self.rate.as_slice(), (0, 0), dq.as_slice(), to_rows.as_mut_slice());
+        self.add((0, 0), dq, to_states);
+        to_states.iter_mut().for_each(|entry| *entry = -*entry);
+        self.admissible.motion(&to_rows.scaled(-R::ONE), to_states)
+    }
+
     /// `to` += the f rows of ∂(ṡ, s̈)/∂(q, v) from `from` on, times x.
     pub(crate) fn add(&self, from: (usize, usize), x: &M::V, to: &mut [R]) {
         let model = self.model;

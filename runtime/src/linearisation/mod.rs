@@ -7,12 +7,14 @@
 //! |---|---|
 //! | ∂v̇ and ∂λ by anything; with Baumgarte's terms | this one; `stabilised.rs` |
 //! | motions that the constraints admit; those of coordinates | `admissible.rs`; `coordinates.rs` |
+//! | what parameters change in a mechanism that stays assembled | `assembled.rs` |
 //! | ẋ = A x + B u, y = C x + D u | `state_space.rs` |
 //! | static positions | `equilibrium.rs`, over the dense factorisation `lu.rs` |
 //! | inputs for given accelerations | `actuation.rs` |
 
 mod actuation;
 mod admissible;
+mod assembled;
 mod coordinates;
 mod equilibrium;
 pub(crate) mod lu;
@@ -21,6 +23,7 @@ mod state_space;
 
 pub(crate) use actuation::check_accelerations;
 pub use actuation::{Actuation, actuation};
+pub use assembled::{Assembled, Moved, MovedOf};
 pub(crate) use coordinates::Coordinates;
 pub use equilibrium::{Equilibrium, EquilibriumOf, equilibrium};
 pub use state_space::{StateSpace, StateSpaceOf};

@@ -130,15 +130,15 @@ impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
 }
 
 /// The parts that columns are made of.
-struct Columns<'l, 'm, R: Real, M: Tangent<R>> {
+pub(super) struct Columns<'l, 'm, R: Real, M: Tangent<R>> {
     at: &'l Linearisation<'m, R, M>,
-    coordinates: Coordinates<'m, R, M>,
+    pub(super) coordinates: Coordinates<'m, R, M>,
     output: M::OutputTangent,
     columns: ColumnsOf,
 }
 
 impl<'l, 'm, R: Real, M: Tangent<R>> Columns<'l, 'm, R, M> {
-    fn at(at: &'l Linearisation<'m, R, M>) -> Result<Self, LinearisationError> {
+    pub(super) fn at(at: &'l Linearisation<'m, R, M>) -> Result<Self, LinearisationError> {
         let Linearisation { model, time, state, u, a, lambda, .. } = at;
         let coordinates = Coordinates::at(*model, *time, state, a)?;
         let mut output = model.zero_output_tangent();
@@ -241,12 +241,12 @@ impl<'l, 'm, R: Real, M: Tangent<R>> Columns<'l, 'm, R, M> {
         }
     }
 
-    fn add_outputs(&self, column: usize, x: &[R], to: &mut [R]) {
+    pub(super) fn add_outputs(&self, column: usize, x: &[R], to: &mut [R]) {
         let model = self.at.model;
         add_block(model.output_pattern(), self.output.as_slice(), (0, column), x, to);
     }
 
-    fn add_response(&self, response: &ResponseOf<R, M>, to: &mut [R]) {
+    pub(super) fn add_response(&self, response: &ResponseOf<R, M>, to: &mut [R]) {
         self.add_outputs(self.columns.multipliers, response.multipliers.as_slice(), to);
         self.add_outputs(self.columns.accelerations, response.acceleration.as_slice(), to);
     }
