@@ -80,9 +80,8 @@ pub(crate) fn expand(named: &Named, caller: Option<PathBuf>, home: &Home) -> Exp
         }
     }
     let Tokens { stream, .. } = tokens;
-    let mut errors = source::compile_errors(&source, &errors, span);
-    errors.extend(emit::stub(stream, home, &file_of));
-    Expansion::Errors(errors)
+    let errors = source::compile_errors(&source, &errors, span);
+    Expansion::Errors(emit::stub(errors, stream, home, &file_of))
 }
 
 /// Takes `in "folder"` from the beginning of a definition: a file in that folder.

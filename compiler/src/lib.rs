@@ -85,11 +85,7 @@ fn expand_definition(
             let name = compiled.mechanism.name.span;
             Expansion::Items { import, text, warnings: compiled.warnings, name }
         }
-        Err(errors) => {
-            let mut stream = errors.into_compile_errors();
-            stream.extend(emit::stub(tokens, home, &file_of));
-            Expansion::Errors(stream)
-        }
+        Err(errors) => Expansion::Errors(emit::stub(errors.into_compile_errors(), tokens, home, &file_of)),
     }
 }
 

@@ -1,14 +1,14 @@
 //! What rustc is told: `compile_error!` at the place of an error, and something deprecated at the place of a warning.
 //!
 //! The stable compiler gives procedural macros no warnings of their own. What it does warn of at any place, with any
-//! text, is the use of something deprecated:
+//! text, is the use of something deprecated. Of a macro it tells the name alone, of all else the modules around too:
 //!
 //! ```text
 //! #[warn(warnings, deprecated)]
 //! const _: () = {
 //!     {
-//!         mod linkwright { #[deprecated(note = "…")] pub fn unused() {} }
-//!         let _ = linkwright::unused;     // these tokens stand where the warning points
+//!         #[deprecated(note = "…")] macro_rules! unused { () => {} }
+//!         unused! {}     // these tokens stand where the warning points
 //!     }
 //! };
 //! ```
@@ -49,10 +49,8 @@ impl Diagnostics {
 
 /// Something deprecated and, at the place of the warning, its use.
 fn deprecated(region: Region, name: &str, message: &str) -> TokenStream {
-    let text = format!(
-        "mod linkwright {{ #[deprecated(note = {message:?})] pub fn {name}() {{}} }} let _ = linkwright::{name};"
-    );
-    // rustc points at the last name only, so its one token has to have the whole place.
+    let text = format!("#[deprecated(note = {message:?})] macro_rules! {name} {{ () => {{}} }} {name}! {{}}");
+    // rustc points at the name only, so its one token has to have the whole place.
     spanned(&text, region.span())
 }
 

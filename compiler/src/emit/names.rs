@@ -187,7 +187,7 @@ pub fn inner(name: &str) -> String {
 
 /// Types, traits and variants that implementations have in scope: short names of arrays, what the runtime exports to
 /// emitted code, the prelude.
-const IN_SCOPE: [&str; 122] = [
+const IN_SCOPE: [&str; 123] = [
     "Constants",
     "Phases",
     "Q",
@@ -297,6 +297,7 @@ const IN_SCOPE: [&str; 122] = [
     "Debug",
     "Parametric",
     "InScalars",
+    "Unknown",
     "Corrected",
     "LagrangeIndex1",
     "Rk4",

@@ -8,7 +8,6 @@
 //! }
 //! ```
 
-use super::function::head;
 use super::{Emitter, tables};
 use crate::functions::{Argument, FUNCTIONS, Interface, MOTION, REACTION, Shape, Signature};
 use crate::model::Space;
@@ -31,15 +30,17 @@ pub fn report(text: &mut String, emitter: &Emitter) {
     text.push_str("}\n");
 }
 
-/// The same of a definition with errors: functions that do nothing.
-pub fn stub(space: Space, type_of: impl Fn(Shape) -> String, length_of: impl Fn(Shape) -> String) -> String {
+/// The same of a definition with errors: functions that do nothing, of types that nobody knows.
+pub fn stub(unknown: &str, head: impl Fn(&Signature) -> String) -> String {
     let mut text = String::new();
     for constant in ["bodies", "joints", "loads"] {
         tables::method(&mut text, constant, "&[&'static str]", "&[]");
     }
-    text.push_str(&types(space, &type_of, &length_of));
+    for name in ["Motion", "Motions", "Reaction", "Reactions", "Powers", "Efforts"] {
+        let _ = writeln!(text, "type {name} = {unknown};");
+    }
     for signature in own() {
-        let _ = writeln!(text, "{} {{ loop {{}} }}", head(signature, &type_of, &length_of));
+        let _ = writeln!(text, "{} {{ loop {{}} }}", head(signature));
     }
     text
 }

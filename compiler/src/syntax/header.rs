@@ -1,10 +1,11 @@
 //! What can be said of a definition that may be full of errors: enough for items that take the mechanism's place.
 
-use super::definition::{Definition, Label, Load, OptionEntry, TableData, TermKind};
+use super::definition::{Definition, Label, OptionEntry, WrittenUnit};
 use super::token::Cursor;
+use super::unread::Unread;
 use super::{Shelf, read, token};
 use crate::diagnostics::Diagnostics;
-use crate::forms::{Owned, Vocabulary};
+use crate::forms::Vocabulary;
 use crate::units::Unit;
 use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 use std::collections::HashSet;
@@ -16,32 +17,29 @@ pub struct Header {
     pub visibility: TokenStream,
     /// Doc comments and attributes of the item.
     pub attributes: TokenStream,
-    /// Whether it moves in space.
-    pub spatial: bool,
     /// The mechanism's name.
     pub name: Ident,
     /// Path of the crate, as `options` say.
     pub crate_path: Option<TokenStream>,
-    /// Fields of the parameters, inputs and outputs.
+    /// What the emitted structs have; nothing where a statement is given up that may have given more.
+    pub fields: Option<Fields>,
+}
+
+/// Fields of the emitted structs, as identifiers.
+#[derive(Clone, Debug)]
+pub struct Fields {
     pub parameters: Vec<String>,
     pub inputs: Vec<String>,
     pub outputs: Vec<String>,
-    /// Of the internal states.
-    pub states: Vec<String>,
-    /// End of the struct's name, field and unit of those that were read and are not in SI units.
+    /// End of the struct's name, field and unit of those that are not in SI units.
     pub declared: Vec<(&'static str, String, Unit)>,
-    /// Names of the bodies and joints, as identifiers.
-    pub bodies: Vec<String>,
-    pub joints: Vec<String>,
-    /// How many bodies, joints, loads and drivers there are, where no statement was given up.
-    pub counts: Option<[usize; 4]>,
 }
 
 /// The header of a definition; nothing if not even a name was written.
 pub fn header(tokens: TokenStream, vocabulary: &'static Vocabulary, shelf: &dyn Shelf) -> Option<Header> {
     let mut diagnostics = Diagnostics::new();
     let converted = token::convert(tokens.clone(), &mut diagnostics);
-    let (definition, found) = read(&converted, Span::call_site().into(), vocabulary, shelf, true);
+    let (definition, _, unread) = read(&converted, Span::call_site().into(), vocabulary, shelf, true);
     let mut tokens = tokens.into_iter().peekable();
     while matches!(tokens.peek(), Some(TokenTree::Punct(punct)) if punct.as_char() == '#') {
         tokens.next();
@@ -59,80 +57,61 @@ pub fn header(tokens: TokenStream, vocabulary: &'static Vocabulary, shelf: &dyn 
         }
     }
     let TokenTree::Ident(kind) = tokens.next()? else { return None };
-    let (name, spatial, body) = match tokens.next()? {
-        TokenTree::Ident(name) => {
-            let body = tokens.find_map(|token| match token {
-                TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => Some(group.stream()),
-                _ => None,
-            });
-            (name, kind == "spatial", body.unwrap_or_default())
-        }
+    let name = match tokens.next()? {
+        TokenTree::Ident(name) => name,
         // The kind was forgotten: `pub FourBar { … }`.
-        TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => (kind, false, group.stream()),
+        TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => kind,
         _ => return None,
     };
-    let known = |labels: Vec<&Label>, word| fields(labels, &body, word);
-    let mut bodies: Vec<String> = definition.bodies.iter().map(|it| identifier(&it.name)).collect();
-    for form in vocabulary.bodies {
-        let others = known(Vec::new(), form.word).into_iter().filter(|name| !bodies.contains(name));
-        bodies.extend(others.collect::<Vec<_>>());
-    }
     Some(Header {
         visibility,
         attributes: definition.attributes.clone(),
-        spatial,
         name,
         crate_path: crate_path(&definition),
-        parameters: known(definition.parameters.iter().map(|it| &it.name).collect(), "param"),
-        inputs: known(definition.inputs.iter().map(|it| &it.name).collect(), "input"),
-        outputs: known(definition.outputs.iter().map(|it| &it.name).collect(), "output"),
-        states: {
-            let declared = known(definition.states.iter().map(|it| &it.name).collect(), "state");
-            declared
-                .into_iter()
-                .chain(definition.loads.iter().flat_map(|it| owned(&definition, it)))
-                .collect()
-        },
-        declared: declared(&definition),
-        bodies,
-        joints: known(definition.joints.iter().map(|it| &it.name).collect(), "joint"),
-        counts: found.is_empty().then_some([
-            definition.bodies.len(),
-            definition.joints.len(),
-            definition.loads.len() + definition.contacts.len(),
-            definition.drivers.len(),
-        ]),
+        fields: (diagnostics.is_empty() && !unread.others).then(|| fields(&definition, &unread)),
     })
 }
 
-/// The internal states of a load, of a backbone as many as its table has points.
-fn owned(definition: &Definition, load: &Load) -> Vec<String> {
-    let owner = identifier(&load.name);
-    match load.form.owns {
-        None => Vec::new(),
-        Some(Owned::One { name, .. }) => vec![format!("{owner}_{name}")],
-        Some(Owned::Elements { name, backbone }) => {
-            let named = load.named.entry(backbone).map(|entry| &entry.value.kind);
-            let Some(TermKind::Name(path)) = named else { return Vec::new() };
-            let table = definition.tables.iter().find(|table| table.name.text == path.text);
-            let count = match table.map(|table| &table.data) {
-                Some(TableData::Points(points)) => points.len(),
-                Some(TableData::Grid { .. } | TableData::File(_)) | None => 0,
-            };
-            (0..count).map(|index| format!("{owner}_{name}_{index}")).collect()
-        }
+fn fields(definition: &Definition, unread: &Unread) -> Fields {
+    let parameters = definition.parameters.iter().map(|it| (&it.name, it.entry.unit.as_ref()));
+    let inputs = definition.inputs.iter().map(|it| (&it.name, it.unit.as_ref()));
+    let outputs = definition.outputs.iter().map(|it| (&it.name, it.entry.unit.as_ref()));
+    let mut declared = Vec::new();
+    Fields {
+        parameters: of_struct(
+            "Parameters",
+            parameters.chain(without_unit(&unread.parameters)),
+            &mut declared,
+        ),
+        inputs: of_struct("Inputs", inputs.chain(without_unit(&unread.inputs)), &mut declared),
+        outputs: of_struct("Outputs", outputs.chain(without_unit(&unread.outputs)), &mut declared),
+        declared,
     }
 }
 
-/// What was read with a unit that is not that of SI.
-fn declared(definition: &Definition) -> Vec<(&'static str, String, Unit)> {
-    let parameters = definition.parameters.iter().map(|it| ("Parameters", &it.name, it.entry.unit.as_ref()));
-    let inputs = definition.inputs.iter().map(|it| ("Inputs", &it.name, it.unit.as_ref()));
-    let outputs = definition.outputs.iter().map(|it| ("Outputs", &it.name, it.entry.unit.as_ref()));
-    let states = definition.states.iter().map(|it| ("Internal", &it.name, it.entry.unit.as_ref()));
-    let all = parameters.chain(inputs).chain(outputs).chain(states);
-    let units = all.filter_map(|(of, name, unit)| Some((of, identifier(name), unit?.unit.clone())));
-    units.filter(|(_, _, unit)| unit.scale != 1.0).collect()
+fn without_unit(labels: &[Label]) -> impl Iterator<Item = (&Label, Option<&WrittenUnit>)> {
+    labels.iter().map(|label| (label, None))
+}
+
+/// The fields of one struct, each name once; those whose unit is not that of SI are added to `declared`.
+fn of_struct<'d>(
+    suffix: &'static str,
+    all: impl Iterator<Item = (&'d Label, Option<&'d WrittenUnit>)>,
+    declared: &mut Vec<(&'static str, String, Unit)>,
+) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    let mut known: HashSet<String> = HashSet::new();
+    for (label, unit) in all {
+        let name = label.identifier();
+        if !known.insert(name.clone()) {
+            continue;
+        }
+        if let Some(written) = unit.filter(|written| written.unit.scale != 1.0) {
+            declared.push((suffix, name.clone(), written.unit.clone()));
+        }
+        names.push(name);
+    }
+    names
 }
 
 fn crate_path(definition: &Definition) -> Option<TokenStream> {
@@ -140,39 +119,4 @@ fn crate_path(definition: &Definition) -> Option<TokenStream> {
         OptionEntry::Crate(path) => Some(path.clone()),
         _ => None,
     })
-}
-
-fn identifier(label: &Label) -> String {
-    label.identifier()
-}
-
-/// Names of what has been read, rounds of `repeat` included, and of statements `word NAME …` that could not be read.
-fn fields(read: Vec<&Label>, body: &TokenStream, word: &str) -> Vec<String> {
-    let mut names: Vec<String> = Vec::new();
-    let mut known: HashSet<String> = HashSet::new();
-    let mut add = |name: String| {
-        if known.insert(name.clone()) {
-            names.push(name);
-        }
-    };
-    let indexed: HashSet<&str> =
-        read.iter().filter_map(|label| Some(label.text.split_once('[')?.0)).collect();
-    read.iter().for_each(|label| add(identifier(label)));
-    let (mut statement, mut attribute) = (true, false);
-    let mut tokens = body.clone().into_iter().peekable();
-    while let Some(token) = tokens.next() {
-        if let (true, TokenTree::Ident(ident), Some(TokenTree::Ident(name))) =
-            (statement, &token, tokens.peek())
-            && *ident == word
-            && !indexed.contains(name.to_string().as_str())
-        {
-            add(name.to_string());
-        }
-        (statement, attribute) = match &token {
-            TokenTree::Punct(punct) => (punct.as_char() == ';', punct.as_char() == '#'),
-            TokenTree::Group(group) => (attribute || group.delimiter() == Delimiter::Brace, false),
-            _ => (false, false),
-        };
-    }
-    names
 }

@@ -59,10 +59,11 @@ mod statements;
 mod tables;
 mod token;
 mod toothings;
+mod unread;
 
 pub use definition::*;
 pub use definition_json::definition_json;
-pub use header::{Header, header};
+pub use header::{Fields, Header, header};
 pub(crate) use scope::BUILT_IN;
 pub use shelf::{PartText, Shelf};
 pub(crate) use token::{DEEPEST, KEYWORDS};
@@ -77,6 +78,7 @@ use scope::Scope;
 use shelf::Texts;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use token::{Cursor, Token};
+use unread::Unread;
 
 /// `repeat` may unroll to this many rounds and statements.
 const MOST_STATEMENTS: usize = 10_000;
@@ -96,7 +98,7 @@ pub fn parse(
         // Groups are missing, and what is missing must not be reported a second time.
         return Err((Box::new(empty()), diagnostics));
     }
-    let (definition, found) = read(&tokens, whole.into(), vocabulary, shelf, false);
+    let (definition, found, _) = read(&tokens, whole.into(), vocabulary, shelf, false);
     match found.finish(()) {
         Ok(()) => Ok(definition),
         Err(found) => Err((Box::new(definition), found)),
@@ -110,7 +112,7 @@ fn read(
     vocabulary: &'static Vocabulary,
     shelf: &dyn Shelf,
     patient: bool,
-) -> (Definition, Diagnostics) {
+) -> (Definition, Diagnostics, Unread) {
     let mut diagnostics = Diagnostics::new();
     let mut texts = Texts::read(tokens, shelf, &mut diagnostics);
     let files = std::mem::take(&mut texts.files);
@@ -129,15 +131,18 @@ fn read(
         budget: MOST_STATEMENTS,
         depth: 0,
         patient,
+        unread: Unread::default(),
     };
     // What is missing at the end is missing behind the last token.
     let end = tokens.last().map_or(whole, |last| last.region);
     let mut cursor = Cursor::new(tokens, end);
-    let _: Parsed<()> = parser.item(&mut cursor);
+    if parser.item(&mut cursor).is_err() {
+        parser.unread.others = true;
+    }
     for (region, message) in std::mem::take(&mut parser.backwards).into_values().flatten() {
         parser.diagnostics.error(region, message);
     }
-    (parser.definition, parser.diagnostics)
+    (parser.definition, parser.diagnostics, parser.unread)
 }
 
 /// Whether a macro is called here.

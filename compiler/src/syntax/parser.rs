@@ -8,6 +8,7 @@ use super::habits::habit;
 use super::scope::Scope;
 use super::shelf::Declarations;
 use super::token::{Cursor, Kind, Token};
+use super::unread::Unread;
 use crate::diagnostics::{Diagnostics, Region};
 use crate::forms::Vocabulary;
 use crate::messages;
@@ -45,6 +46,8 @@ pub(super) struct Parser<'t> {
     pub depth: usize,
     /// Whether the rounds after one with an error are read too.
     pub patient: bool,
+    /// What statements with errors would have given.
+    pub unread: Unread,
 }
 
 impl Parser<'_> {

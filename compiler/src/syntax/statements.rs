@@ -45,6 +45,7 @@ impl Parser<'_> {
             let before = c.clone();
             if self.statement(&mut c).is_err() {
                 c = before;
+                self.unread(c.clone());
                 c.skip_statement();
             }
         }

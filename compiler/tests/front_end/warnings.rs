@@ -202,10 +202,10 @@ fn rustc_is_told_at_the_place_of_the_warning() {
     let home = found.iter().next().expect("a warning").region;
     let text = found.into_warnings(home).to_string().replace(' ', "");
     assert!(
-        text.starts_with("#[warn(warnings,deprecated)]const_:()={{modlinkwright{#[deprecated(note=\"nothing"),
+        text.starts_with("#[warn(warnings,deprecated)]const_:()={{#[deprecated(note=\"nothing"),
         "{text}"
     );
-    assert!(text.ends_with("let_=linkwright::unused;}};"), "{text}");
+    assert!(text.ends_with("macro_rules!unused{()=>{}}unused!{}}};"), "{text}");
     let none = warnings(&slider_crank(""));
     assert!(none.into_warnings(home).is_empty(), "nothing is emitted where nothing is to say");
 }

@@ -62,8 +62,21 @@ fn readable(source: &str, items: &str) -> Result<(), String> {
 
 /// At least one message, each at a place, and a stub that reads as Rust. Only nothing at all has no place.
 fn messages(source: &str, errors: TokenStream, empty: bool) -> Result<(), String> {
-    let tokens: Vec<TokenTree> = errors.clone().into_iter().collect();
-    let mut count = 0;
+    let count = texts(source, errors.clone(), empty)?;
+    if count == 0 {
+        return Err("no items and no message".to_string());
+    }
+    syn::parse2::<syn::File>(errors).map(drop).map_err(|error| format!("unreadable stub: {error}"))
+}
+
+/// How many messages there are, in braces within too.
+fn texts(source: &str, errors: TokenStream, empty: bool) -> Result<usize, String> {
+    let tokens: Vec<TokenTree> = errors.into_iter().collect();
+    let inside = tokens.iter().filter_map(|token| match token {
+        TokenTree::Group(group) => Some(texts(source, group.stream(), empty)),
+        _ => None,
+    });
+    let mut count = inside.sum::<Result<usize, String>>()?;
     for at in (0..tokens.len()).filter(|at| tokens[*at].to_string() == "compile_error") {
         let (first, Some(TokenTree::Group(group))) = (&tokens[at.saturating_sub(5)], tokens.get(at + 2))
         else {
@@ -83,10 +96,7 @@ fn messages(source: &str, errors: TokenStream, empty: bool) -> Result<(), String
             return Err(format!("a message with a number that is none: {text}"));
         }
     }
-    if count == 0 {
-        return Err("no items and no message".to_string());
-    }
-    syn::parse2::<syn::File>(errors).map(drop).map_err(|error| format!("unreadable stub: {error}"))
+    Ok(count)
 }
 
 fn nowhere(span: Span) -> bool {
