@@ -189,10 +189,9 @@ fn along_a_run() {
     let options = ["--along", "--svg", "--of", "reach", "--for", "0.5s", "--against", "angle"];
     let (code, out, _) = ran(PENDULUM, &options);
     assert_eq!(code, 0);
-    assert!(
-        out.starts_with("<svg")
-            && out.contains("reach for +1 % of length, m")
-            && out.contains("reach by pull"),
-        "{out}"
-    );
+    let whole = out.starts_with("<svg") && out.contains("reach for +1 % of length, m");
+    assert!(whole && !out.contains("pull") && !out.contains("mass"), "what does nothing has no panel: {out}");
+    let (code, out, err) = ran(PENDULUM, &["--along", "--svg", "--of", "angle", "--for", "0.1s"]);
+    assert_eq!((code, out.as_str()), (1, ""));
+    assert!(err.contains("no parameter does anything to angle along the run"), "{err}");
 }

@@ -47,6 +47,26 @@ for (const name of names) {
   await scrub(page, 0);
   await page.mouse.move(5, 5);
   assert.ok(await picture(page) === before, `${name}: back is the same picture`);
+
+  // One quantity against another: choices draw anew, the spot follows the time, a click goes to a time.
+  await page.evaluate(() => { document.getElementById("against_x").closest("details").open = true; });
+  const way = () => page.locator(".against svg path").getAttribute("d"), spot = () => page.locator(".against svg circle").getAttribute("cx");
+  const ways = [await way()];
+  const most = await page.locator("#against_x option").count() - 1;
+  for (const [axis, index] of [["x", "0"], ["y", "1"], ["x", `${most}`], ["y", `${most - 1}`]]) {
+    await page.selectOption(`#against_${axis}`, index);
+    ways.push(await way());
+  }
+  assert.ok(ways.every((path) => path.startsWith("M") && !path.includes("NaN")), `${name}: a way for each choice`);
+  // What grows alike has the same straight way.
+  assert.ok(new Set(ways).size > 1, `${name}: choices draw anew`);
+  await page.selectOption("#against_x", "0");
+  const resting = await spot();
+  await scrub(page, 0.5);
+  assert.notEqual(await spot(), resting, `${name}: the spot follows the time`);
+  await page.locator(".against svg").click({ position: { x: 300, y: 60 } });
+  assert.ok(await page.evaluate(() => { const t = document.getElementById("time"); return Number(t.value) > Number(t.min) && Number(t.value) < Number(t.max); }), `${name}: a click goes to a time`);
+  assert.match(await page.locator(".against header span").textContent(), / at .* s$/, `${name}: and is told`);
   await scrub(page, 0.1);
   for (const box of ["names", "traces", "velocities"]) {
     const plain = await picture(page);

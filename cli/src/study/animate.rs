@@ -1,5 +1,5 @@
 //! `linkwright animate`: one page with the motion, plots that share its cursor, and the values of parameters. Nothing is fetched, so that
-//! it works from a disk and in years. What draws is `page/page.js`; here are the numbers that it draws.
+//! it works from a disk and in years. What draws is `page/page.js`, and `against.js` beside it; here are the numbers that it draws.
 
 use super::draw::pose;
 use super::methods::Course;
@@ -212,7 +212,7 @@ pub fn page(study: &Study, loaded: &Loaded, film: &Film) -> String {
 }
 
 const CSS: &str = include_str!("page/page.css");
-const SCRIPT: &str = include_str!("page/page.js");
+const SCRIPT: &str = concat!(include_str!("page/against.js"), include_str!("page/page.js"));
 
 /// Stage, controls, and the place of the plots.
 const BODY: &str = "<div class=\"columns\">\n<div class=\"stage\">\n<canvas id=\"stage\" role=\"img\" aria-label=\"the mechanism in motion\"></canvas>\n\

@@ -40,7 +40,7 @@ pub fn plot(study: &Study, loaded: &Loaded) -> Result<Done, Failure> {
         Some(wanted) => Axis::of(&film, wanted)?,
     };
     let curves: Vec<&Curve> = curves.into_iter().filter(|curve| curve.name != axis.name).collect();
-    let svg = picture(&loaded.name, &axis, &curves);
+    let svg = picture(&loaded.name, &axis, &curves, &[]);
     let stopped = film.run.stopped.as_ref().map(|error| error.to_string());
     if study.json {
         if let Some(out) = &study.out {
@@ -107,10 +107,17 @@ impl<'f> Axis<'f> {
     }
 }
 
-/// The picture of curves against a quantity with its unit and its values.
-pub fn picture_against(name: &str, axis: (&str, &str, &[f64]), curves: &[Curve]) -> String {
+/// The picture of curves against a quantity with its unit and its values. Of each curve the least and the most that its panel shows, where
+/// it has to be compared with others.
+pub fn picture_against(
+    name: &str,
+    axis: (&str, &str, &[f64]),
+    curves: &[Curve],
+    ranges: &[Option<[f64; 2]>],
+) -> String {
     let (of, unit, values) = axis;
-    picture(name, &Axis { name: of, unit, values }, &curves.iter().collect::<Vec<_>>())
+    let curves: Vec<&Curve> = curves.iter().collect();
+    picture(name, &Axis { name: of, unit, values }, &curves, ranges)
 }
 
 /// A unit as it is printed.
@@ -118,7 +125,7 @@ fn typeset(unit: &str) -> String {
     unit.replace('*', "·").replace("^2", "²").replace("^3", "³")
 }
 
-fn picture(name: &str, axis: &Axis, curves: &[&Curve]) -> String {
+fn picture(name: &str, axis: &Axis, curves: &[&Curve], ranges: &[Option<[f64; 2]>]) -> String {
     let heights: Vec<f64> = curves.iter().map(|curve| axis.height(curve)).collect();
     let height = heights.iter().sum::<f64>() + BELOW;
     let mut svg = format!(
@@ -136,8 +143,9 @@ fn picture(name: &str, axis: &Axis, curves: &[&Curve]) -> String {
     let span = (end - begin).max(1e-12);
     let across = |time: f64| LEFT + (WIDTH - LEFT - RIGHT) * (time - begin) / span;
     let mut foot = 0.0;
-    for (curve, height) in curves.iter().zip(heights) {
-        panel(&mut svg, curve, axis.values, (foot, height), &across);
+    for (index, (curve, height)) in curves.iter().zip(heights).enumerate() {
+        let range = ranges.get(index).copied().flatten();
+        panel(&mut svg, curve, range, axis.values, (foot, height), &across);
         foot += height;
     }
     for time in ticks(begin, end, 5.0) {
@@ -171,6 +179,7 @@ fn is_logarithmic(curve: &Curve) -> bool {
 fn panel(
     svg: &mut String,
     curve: &Curve,
+    range: Option<[f64; 2]>,
     along: &[f64],
     (top, height): (f64, f64),
     across: &impl Fn(f64) -> f64,
@@ -178,7 +187,9 @@ fn panel(
     let finite = || curve.values.iter().filter(|value| value.is_finite()).map(|value| scaled(curve, *value));
     let (mut least, mut most) =
         (finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max));
-    if least > most {
+    if let Some(range) = range {
+        (least, most) = (range[0], range[1]);
+    } else if least > most {
         (least, most) = (0.0, 1.0);
     }
     let size = most.abs().max(least.abs());

@@ -14,6 +14,8 @@ use linkwright_engine::Numbers;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
+/// Of what the others do: rounding.
+const NOTHING: f64 = 1e-12;
 /// So many samples if nothing is said.
 const SAMPLES: f64 = 600.0;
 
@@ -87,7 +89,7 @@ pub fn along(study: &Study, loaded: &Loaded, by: &[Parameter]) -> Result<Done, F
         let text = if study.svg {
             let axis =
                 against.map(|index| (&outputs[index], samples.iter().map(|it| it.outputs[index]).collect()));
-            of.svg(loaded, axis, &samples)
+            of.svg(loaded, axis, &places, &samples)?
         } else {
             of.csv(&places, &samples)
         };
@@ -157,31 +159,74 @@ impl Columns<'_> {
         text
     }
 
-    /// A panel for each output and parameter: what one percent more of the parameter does, so that parameters of different units can be
-    /// compared; of a parameter that is zero the derivative.
-    fn svg(&self, loaded: &Loaded, axis: Option<(&Column, Vec<f64>)>, samples: &[Sample]) -> String {
-        let curves = self.names().enumerate().map(|(index, (name, unit))| {
-            let (column, parameter) = (&self.wanted[index / self.by.len()], &self.by[index % self.by.len()]);
-            let values = samples.iter().map(|sample| sample.slopes[index]);
-            let (name, unit, factor) = if parameter.value == 0.0 {
-                (name, unit, 1.0)
-            } else {
-                let name = format!("{} for +1 % of {}", column.name, parameter.name);
-                (name, column.unit.clone(), 0.01 * parameter.value)
-            };
-            Curve {
-                name: name.replace('_', " "),
-                unit,
-                group: Group::Outputs,
-                values: values.map(|it| factor * it).collect(),
-            }
-        });
-        let curves: Vec<Curve> = curves.collect();
+    /// A panel for each output and each parameter that does something to it: what one percent more of the parameter does, on one scale for
+    /// all parameters of an output, so that they can be compared; of a parameter that is zero the derivative.
+    fn svg(
+        &self,
+        loaded: &Loaded,
+        axis: Option<(&Column, Vec<f64>)>,
+        places: &[usize],
+        samples: &[Sample],
+    ) -> Result<String, Failure> {
+        let (mut curves, mut ranges) = (Vec::new(), Vec::new());
+        for (which, place) in places.iter().enumerate() {
+            let of = samples.iter().map(|sample| sample.outputs[*place]);
+            self.panels(which, extremes(of), samples, &mut curves, &mut ranges);
+        }
+        if curves.is_empty() {
+            let names: Vec<&str> = self.wanted.iter().map(|column| column.name.as_str()).collect();
+            let message = format!("no parameter does anything to {} along the run", names.join(", "));
+            return Err(Failure::Motion(message));
+        }
         let times = || samples.iter().map(|sample| sample.time).collect();
         let (name, unit, values) = match axis {
             None => ("time".to_string(), "s", times()),
             Some((column, values)) => (column.name.replace('_', " "), column.unit.as_str(), values),
         };
-        picture_against(&loaded.name, (&name, unit, &values), &curves)
+        Ok(picture_against(&loaded.name, (&name, unit, &values), &curves, &ranges))
     }
+
+    /// Those of one output, whose own values are from `least` to `most`.
+    fn panels(
+        &self,
+        which: usize,
+        [least, most]: [f64; 2],
+        samples: &[Sample],
+        curves: &mut Vec<Curve>,
+        ranges: &mut Vec<Option<[f64; 2]>>,
+    ) {
+        let (column, count) = (&self.wanted[which], self.by.len());
+        let is_whole = |k: usize| self.by[k].value != 0.0;
+        let values = |k: usize| -> Vec<f64> {
+            let factor = if is_whole(k) { 0.01 * self.by[k].value } else { 1.0 };
+            samples.iter().map(|sample| factor * sample.slopes[which * count + k]).collect()
+        };
+        let all: Vec<Vec<f64>> = (0..count).map(values).collect();
+        let compared = (0..count).filter(|k| is_whole(*k)).flat_map(|k| all[k].iter().copied());
+        let range = extremes(compared.chain([0.0]));
+        let rounding = NOTHING * (range[1] - range[0]).max(most - least);
+        for (k, values) in all.into_iter().enumerate() {
+            let [least, most] = extremes(values.iter().copied());
+            if most.max(-least) <= rounding {
+                continue;
+            }
+            let parameter = &self.by[k];
+            let (name, unit) = if is_whole(k) {
+                (format!("{} for +1 % of {}", column.name, parameter.name), column.unit.clone())
+            } else {
+                (format!("{} by {}", column.name, parameter.name), quotient(&column.unit, &parameter.unit))
+            };
+            curves.push(Curve { name: name.replace('_', " "), unit, group: Group::Outputs, values });
+            ranges.push(is_whole(k).then_some(range));
+        }
+    }
+}
+
+/// Least and most of what is finite; zeros where nothing is.
+fn extremes(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    let found = values.filter(|value| value.is_finite()).fold(None, |found: Option<[f64; 2]>, value| {
+        let [least, most] = found.unwrap_or([value, value]);
+        Some([least.min(value), most.max(value)])
+    });
+    found.unwrap_or_default()
 }

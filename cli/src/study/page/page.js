@@ -535,6 +535,13 @@
     box.append(el("summary", {}, titles[group] || group), inner);
     $("plots").append(box);
   });
+  const pair = against({ data, el, svg, figure, unit, ticks, between, cursors, stop: () => stop(), seek: (time) => seek(time) });
+  if (pair) {
+    const box = el("details");
+    box.open = pair.isWay;
+    box.append(el("summary", {}, "One against another"), pair.box);
+    $("plots").append(box);
+  }
 
   // ---- time ---------------------------------------------------------------------------------------------------
   let playing = false, before;

@@ -59,6 +59,7 @@ function move(page) {
   const time = old && old.getElementById("time");
   const play = old && old.getElementById("play");
   const was = { time: time && time.value, plays: play && play.textContent !== "Play" };
+  const axes = ["against_x", "against_y"].map((id) => chosen(old, id));
   frame.onload = () => {
     const inside = frame.contentDocument;
     const slider = inside.getElementById("time");
@@ -66,10 +67,26 @@ function move(page) {
       slider.value = was.time;
       slider.dispatchEvent(new Event("input"));
     }
+    for (const [id, text] of axes) choose(inside, id, text);
     const button = inside.getElementById("play");
     if (button && was.plays && button.textContent === "Play") button.click();
   };
   frame.srcdoc = page;
+}
+
+// What a choice says, so that a page with other quantities finds it again.
+function chosen(page, id) {
+  const select = page && page.getElementById(id);
+  return [id, select && select.selectedOptions[0] && select.selectedOptions[0].textContent];
+}
+
+function choose(page, id, text) {
+  const select = page.getElementById(id);
+  const option = select && [...select.options].find((known) => known.textContent === text);
+  if (!option || option.value === select.value) return;
+  select.value = option.value;
+  select.dispatchEvent(new Event("change"));
+  select.closest("details").open = true;
 }
 
 function message(found) {
