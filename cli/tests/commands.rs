@@ -388,3 +388,29 @@ fn machine_code_has_to_be_built_in() {
     assert_eq!((refused.code, refused.out.as_str()), (2, ""), "{}", refused.err);
     assert!(refused.err.contains("install it with `--features native`"), "{}", refused.err);
 }
+
+/// Lengths between joints, for machines too; without any it is said, and so is an option that is misspelt.
+#[test]
+fn dimensions_are_drawn() {
+    let one =
+        b"planar Ball { disk ball { mass [kg] = 1; radius [m] = 0.1; } start { ball.center.x [m] = 0; }}";
+    let none = run(&["draw", "-", "--dimensions"], one);
+    assert_eq!(
+        (none.code, none.err.as_str()),
+        (0, "Ball: no body has two joints that turn, so there are no dimensions\n"),
+    );
+    let misspelt = ran(&["draw", "good.mech", "--dimension"]);
+    assert_eq!(misspelt.code, 2);
+    assert!(misspelt.err.contains("did you mean `dimensions`?"), "{}", misspelt.err);
+    let short = b"planar Short {
+        rod arm { mass [kg] = 1; length [mm] = 0.2; } rod hand { mass [kg] = 1; length [m] = 1; }
+        joint pivot: revolute(ground(0, 0) [m], arm.start); joint elbow: revolute(arm.end, hand.start);
+    }";
+    let told = run(&["draw", "-", "--dimensions", "--json"], short);
+    let told: Value = serde_json::from_str(&told.out).expect("the answer is JSON");
+    let dimensions = &told["mechanisms"][0]["draw"]["dimensions"];
+    assert_eq!(dimensions, &serde_json::json!({ "count": 2, "without_place": ["0.2 mm (arm)"] }), "{told}");
+    let said = run(&["draw", "-", "--dimensions"], short);
+    assert_eq!(said.err, "Short: no place in the drawing for the dimensions 0.2 mm (arm)\n");
+    assert!(said.out.contains(">without a place: 0.2 mm (arm)<"), "{}", said.out);
+}

@@ -97,3 +97,24 @@ fn pages_show_what_the_program_writes() {
     }
     assert!(blocks >= 4, "{blocks}");
 }
+
+/// `UPDATE_GOLDEN=1` writes it anew, as it does the pages.
+#[test]
+fn the_picture_with_dimensions_is_what_the_program_draws() {
+    let picture = docs().join("crank_rocker_dimensions.svg");
+    let output = Command::new(env!("CARGO_BIN_EXE_linkwright"))
+        .args(["draw", "mechanisms/crank_rocker.mech", "--dimensions"])
+        .current_dir(docs())
+        .output()
+        .expect("the program is built");
+    let drawn = String::from_utf8(output.stdout).expect("text");
+    assert!(output.status.success() && output.stderr.is_empty(), "{drawn}");
+    if std::env::var_os("UPDATE_GOLDEN").is_some() {
+        fs::write(&picture, &drawn).expect("the picture can be written");
+    }
+    let kept = fs::read_to_string(&picture).expect("the picture");
+    assert!(kept == drawn, "{} is not what is drawn", picture.display());
+    for text in [">crank_length = 200 mm<", ">600 mm<", ">0.4 m<", ">0.5 m<"] {
+        assert!(kept.contains(text), "{text}");
+    }
+}

@@ -4,15 +4,16 @@ use super::methods::EngineState;
 use super::options::Study;
 use super::{Done, Failure, Loaded, write};
 use crate::with_engine;
-use linkwright_compiler::page::{Pose, alone, drawing_at};
+use linkwright_compiler::page::{Pose, alone, dimensioned_at, drawing_at};
 use linkwright_engine::Engine;
 use linkwright_runtime::Vector;
 use serde_json::json;
 
 /// The command.
 pub fn draw(study: &Study, loaded: &Loaded) -> Result<Done, Failure> {
+    let drawn = if study.dimensions { dimensioned_at } else { drawing_at };
     let drawing = with_engine!(&loaded.engine, |engine| {
-        drawing_at(&loaded.compiled, &pose(engine, &super::start(engine)?))
+        drawn(&loaded.compiled, &pose(engine, &super::start(engine)?))
     });
     if !study.json {
         write(study.out.as_deref(), &format!("{}\n", alone(&drawing.svg)))?;
@@ -20,10 +21,20 @@ pub fn draw(study: &Study, loaded: &Loaded) -> Result<Done, Failure> {
             let names = if drawing.left_out == 1 { "name" } else { "names" };
             eprintln!("{}: {} {names} found no place in the drawing", loaded.name, drawing.left_out);
         }
+        if study.dimensions && drawing.dimensions == 0 {
+            eprintln!("{}: no body has two joints that turn, so there are no dimensions", loaded.name);
+        }
+        if !drawing.without_place.is_empty() {
+            let which = drawing.without_place.join(", ");
+            eprintln!("{}: no place in the drawing for the dimensions {which}", loaded.name);
+        }
     } else if let Some(out) = &study.out {
         write(Some(out), &format!("{}\n", alone(&drawing.svg)))?;
     }
-    let value = json!({ "svg": drawing.svg, "left_out": drawing.left_out });
+    let mut value = json!({ "svg": drawing.svg, "left_out": drawing.left_out });
+    if study.dimensions {
+        value["dimensions"] = json!({ "count": drawing.dimensions, "without_place": drawing.without_place });
+    }
     Ok(Done { value, failed: false })
 }
 

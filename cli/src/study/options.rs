@@ -52,7 +52,7 @@ impl Command {
             Command::Animate => &["svg", "speed", "out", "json"],
             Command::Sweep => &["over", "measure", "out", "json"],
             Command::Influence => &["of", "measure", "by", "along", "svg", "against", "csv", "out", "json"],
-            Command::Draw => return vec!["mechanism", "set", "out", "json"],
+            Command::Draw => return vec!["mechanism", "set", "dimensions", "out", "json"],
             Command::Watch => &["port"],
         };
         [&OF_A_RUN, own].concat()
@@ -167,6 +167,7 @@ usage: linkwright draw [options] FILE
 
   --mechanism NAME        which one, where the file has several
   --set NAME=VALUE        a parameter, in its unit; may be repeated
+  --dimensions            lengths between the joints of each body, with the names of parameters
   --out FILE              in place of standard output
   --json                  for machines: the drawing as a field
 ";
@@ -207,6 +208,8 @@ pub struct Study {
     /// The quantity along the horizontal axis of a plot; the time if none.
     pub against: Option<String>,
     pub out: Option<PathBuf>,
+    /// Lengths in a drawing.
+    pub dimensions: bool,
     /// A picture in place of a page.
     pub svg: bool,
     /// Of such a picture, as a multiple of the motion's own.
@@ -247,6 +250,7 @@ pub fn parse(
         show: None,
         against: None,
         out: None,
+        dimensions: false,
         svg: false,
         speed: 1.0,
         json: false,
@@ -276,6 +280,7 @@ pub fn parse(
         }
         let flag = match option.as_str() {
             "json" => Some(&mut study.json),
+            "dimensions" => Some(&mut study.dimensions),
             "svg" => Some(&mut study.svg),
             "native" => Some(&mut study.native),
             "along" => Some(&mut study.along),

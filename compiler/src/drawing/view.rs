@@ -35,8 +35,8 @@ pub struct View {
 }
 
 impl View {
-    /// The view in which all points are in the picture, with room for so many names.
-    pub fn of(space: Space, up: Point, points: &[Point], names: usize) -> View {
+    /// The view in which all points are in the picture, with room for so many names, and so much around it for other things, px.
+    pub fn of(space: Space, up: Point, points: &[Point], names: usize, beside: f64) -> View {
         let toward = match space {
             Space::Planar => [0.0, 0.0, 1.0],
             Space::Spatial => eye(up),
@@ -56,7 +56,7 @@ impl View {
         }
         let size = [most[0] - least[0], most[1] - least[1]];
         let room = (names as f64 / MANY).clamp(1.0, 1.7);
-        let margin = room * MARGIN;
+        let margin = room * MARGIN + beside;
         let fit = (room * WIDTH / size[0]).min(room * HEIGHT / size[1]);
         view.scale = if fit.is_finite() { fit } else { 100.0 };
         view.width = (view.scale * size[0]).max(160.0) + 2.0 * margin;

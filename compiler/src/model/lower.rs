@@ -10,6 +10,7 @@ use super::friction;
 use super::names::Names;
 use super::signals::Signals;
 use super::unused::{self, Scope};
+use super::written;
 use super::{
     Axes, Constraint, ConstraintKind, Coupled, Coupling, DeclaredUnit, Driver, Expr, Function2, Input,
     Mechanism, Name, Output, Parameter, Rotor, StartCondition, StartOrientation, Subject, Vector,
@@ -89,6 +90,7 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
         kinks: Vec::new(),
         unused: Vec::new(),
         allowed: definition.allowed.clone(),
+        lengths: written::lengths(definition),
     };
     Lowering::modes_at_rest(&mut mechanism);
     mechanism.states = lowering.states();

@@ -32,6 +32,7 @@ pub mod tables;
 mod unused;
 mod values;
 mod vectors;
+mod written;
 
 use crate::diagnostics::{Allowed, Region};
 use crate::forms::BodyForm;
@@ -48,6 +49,7 @@ pub use expression::{
 pub use lower::lower;
 pub use tables::{Curve, LookUp, Table};
 pub use unused::{Declared, Unused};
+pub use written::WrittenLengths;
 
 /// Index of a body in [`Mechanism::bodies`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -142,6 +144,8 @@ pub struct Mechanism {
     pub unused: Vec<Unused>,
     /// Warnings that are not wanted.
     pub allowed: Allowed,
+    /// In which units lengths are written.
+    pub lengths: WrittenLengths,
 }
 
 impl Mechanism {

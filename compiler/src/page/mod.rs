@@ -7,6 +7,7 @@
 mod beams;
 mod bent;
 mod curves;
+mod dimensions;
 mod equations;
 mod expression;
 mod figure;
@@ -56,7 +57,13 @@ pub fn page(compiled: &Compiled) -> String {
 
 /// The drawing of a mechanism in a pose.
 pub fn drawing_at(compiled: &Compiled, pose: &Pose) -> Figure {
-    figure::figure(&compiled.mechanism.name.text, &Sketch::of(compiled, pose))
+    figure::figure(&compiled.mechanism.name.text, &Sketch::of(compiled, pose), &[])
+}
+
+/// The same with the lengths between joints.
+pub fn dimensioned_at(compiled: &Compiled, pose: &Pose) -> Figure {
+    let dimensions = dimensions::dimensions(compiled, pose);
+    figure::figure(&compiled.mechanism.name.text, &Sketch::of(compiled, pose), &dimensions)
 }
 
 fn drawing(page: &mut String, compiled: &Compiled) {

@@ -126,7 +126,7 @@ impl<'a> Stand<'a> {
         self.numbers(&nodes)
     }
 
-    fn vector(&mut self, vector: &Vector) -> Point {
+    pub(super) fn vector(&mut self, vector: &Vector) -> Point {
         pad(&self.built(|laws| laws.vector(vector).bare.to_vec()))
     }
 

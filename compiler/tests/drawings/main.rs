@@ -6,7 +6,7 @@
 mod measure;
 
 use linkwright_compiler::model::Space;
-use linkwright_compiler::page::{Figure, Pose, drawing_at, scene};
+use linkwright_compiler::page::{Figure, Pose, dimensioned_at, drawing_at, scene};
 use linkwright_compiler::source::{Source, invocations};
 use linkwright_compiler::{Compiled, compile};
 use std::fs;
@@ -37,23 +37,54 @@ fn models() -> Vec<Compiled> {
 }
 
 #[test]
-fn names_cover_nothing() {
+fn names_and_dimensions_cover_nothing() {
     let folder = std::env::var_os("DRAWINGS").map(PathBuf::from);
-    let mut wrong = Vec::new();
+    let (mut wrong, mut counts) = (Vec::new(), [0, 0]);
     for compiled in models() {
         let name = &compiled.mechanism.name.text;
-        let Figure { svg, left_out } = drawing_at(&compiled, &Pose::start(&compiled));
+        let pose = Pose::start(&compiled);
+        let (plain, dimensioned) = (drawing_at(&compiled, &pose), dimensioned_at(&compiled, &pose));
         if let Some(folder) = &folder {
-            fs::create_dir_all(folder).expect("it can be made");
-            fs::write(folder.join(format!("{name}.svg")), &svg).expect("it can be written");
+            keep(folder, name, &plain.svg);
+            keep(folder, &format!("{name}-dimensions"), &dimensioned.svg);
         }
         let allowed = CROWDED.iter().find(|(crowded, _)| crowded == name).map_or(0, |(_, count)| *count);
-        if left_out > allowed {
-            wrong.push(format!("{name}: {left_out} names found no place"));
+        if plain.left_out > allowed {
+            wrong.push(format!("{name}: {} names found no place", plain.left_out));
         }
-        wrong.extend(measure::overlaps(&svg).into_iter().map(|what| format!("{name}: {what}")));
+        wrong.extend(measure::overlaps(&plain.svg).into_iter().map(|what| format!("{name}: {what}")));
+        if dimensioned.left_out > plain.left_out {
+            let more = dimensioned.left_out - plain.left_out;
+            wrong.push(format!("{name}: {more} more names found no place beside dimensions"));
+        }
+        let [all, left] = dimensions_cover_nothing(&compiled, &dimensioned, &mut wrong);
+        counts = [counts[0] + all, counts[1] + left];
     }
+    println!("{} dimensions, {} of them below their pictures", counts[0], counts[1]);
     assert!(wrong.is_empty(), "{} faults\n{}", wrong.len(), wrong.join("\n"));
+}
+
+fn keep(folder: &Path, name: &str, svg: &str) {
+    fs::create_dir_all(folder).expect("it can be made");
+    fs::write(folder.join(format!("{name}.svg")), svg).expect("it can be written");
+}
+
+/// Dimensions cover neither names nor parts nor one another, and what finds no place is said in the picture; gives how many there are
+/// and how many of them find none.
+fn dimensions_cover_nothing(compiled: &Compiled, figure: &Figure, wrong: &mut Vec<String>) -> [usize; 2] {
+    let name = &compiled.mechanism.name.text;
+    let Figure { svg, dimensions, without_place, .. } = figure;
+    let told: String = svg.split("without a place: ").skip(1).collect();
+    for which in without_place.iter().filter(|which| !told.contains(which.as_str())) {
+        wrong.push(format!("{name}: {which} is missing, and the picture does not say so"));
+    }
+    let seen = svg.matches("<title>dimension ").count();
+    if seen + without_place.len() != *dimensions {
+        wrong.push(format!("{name}: {seen} of {dimensions} dimensions, {} are left", without_place.len()));
+    }
+    let faults = measure::overlaps(svg).into_iter().chain(measure::crossings(svg, "dimension "));
+    wrong.extend(faults.map(|what| format!("{name} with dimensions: {what}")));
+    [*dimensions, without_place.len()]
 }
 
 /// What measures finds a name on a name, on a line, on a circle, and outside.
@@ -80,6 +111,42 @@ fn overlaps_are_found() {
     ] {
         assert_eq!(measure::overlaps(&sheet(&inside)).len(), faults, "{inside}");
     }
+    let group = |title: &str, y: f64| format!("<g><title>{title}</title>{}</g>", line(y));
+    for (y, faults) in [(50.0, 1), (50.8, 1), (60.0, 0)] {
+        let crossing = group("dimension 1 m of crank", 50.0) + &group("crank", y);
+        assert_eq!(measure::crossings(&sheet(&crossing), "dimension ").len(), faults, "{y}");
+    }
+}
+
+/// Names and values are those of what was written, in its units; of what is not written there is the value.
+#[test]
+fn dimensions_are_what_was_written() {
+    let source = "planar Crane {
+        param reach [mm] = 400 in 100..900; param stand [cm] = 50 in 10..90;
+        rod crank { mass [kg] = 1; length [mm] = reach; }
+        rod coupler { mass [kg] = 1; length [cm] = 60; }
+        body rocker { mass [kg] = 1; inertia [kg*m^2] = 1; point knee [m] = (0.3, 0); point top [m] = (0.3, 0.4); }
+        joint a: revolute(ground(0, 0) [m], crank.start);
+        joint b: revolute(crank.end, coupler.start);
+        joint c: revolute(coupler.end, rocker.knee);
+        joint d: revolute(ground(stand, 0) [m], rocker.origin);
+        spring coil: spring(ground(1, 1) [m], rocker.top, stiffness [N/m] = 1, length [m] = 1);
+        start { a.angle [deg] = 80; d.angle [deg] ~ 70; }
+    }";
+    let compiled = compile(source.parse().expect("tokens"), None).unwrap_or_else(|errors| panic!("{errors}"));
+    let mut pose = Pose::start(&compiled);
+    let titles = |svg: &str| -> Vec<String> {
+        let titles = svg.split("<title>dimension ").skip(1);
+        titles.map(|rest| rest.split('<').next().unwrap_or_default().to_string()).collect()
+    };
+    let figure = dimensioned_at(&compiled, &pose);
+    let expected =
+        ["reach = 400 mm of crank", "60 cm of coupler", "0.3 m of rocker", "stand = 50 cm of ground"];
+    assert_eq!((titles(&figure.svg), figure.without_place), (expected.map(String::from).to_vec(), vec![]));
+    assert_eq!((figure.dimensions, measure::overlaps(&figure.svg)), (4, vec![]));
+    pose.parameters[0] = 0.45;
+    assert_eq!(titles(&dimensioned_at(&compiled, &pose).svg)[0], "reach = 450 mm of crank");
+    assert!(titles(&drawing_at(&compiled, &pose).svg).is_empty(), "only where they are asked for");
 }
 
 /// Springs between the same places stand side by side, and a hinge in the spot of another is moved along its axis.
@@ -117,7 +184,7 @@ fn beams_are_bent() {
         let source = BENT.replace("FIRST", first);
         let compiled =
             compile(source.parse().expect("tokens"), None).unwrap_or_else(|errors| panic!("{errors}"));
-        let Figure { svg, left_out } = drawing_at(&compiled, &Pose::start(&compiled));
+        let Figure { svg, left_out, .. } = drawing_at(&compiled, &Pose::start(&compiled));
         assert_eq!((left_out, measure::overlaps(&svg)), (0, vec![]), "{first}");
         (svg, compiled)
     };

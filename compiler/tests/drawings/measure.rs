@@ -59,6 +59,45 @@ pub fn overlaps(svg: &str) -> Vec<String> {
     found
 }
 
+/// A sentence for each line of groups whose titles begin so that crosses what other groups show.
+pub fn crossings(svg: &str, begin: &str) -> Vec<String> {
+    let (_, inks, _) = read(svg);
+    let mut found = Vec::new();
+    for line in inks.iter().filter(|ink| ink.of.starts_with(begin)) {
+        // Thin lines lead to the ends of their own.
+        let own = format!("to the {}", line.of);
+        for other in inks.iter().filter(|other| other.of != line.of && other.of != own) {
+            let around = line.half + other.half;
+            let touches = |at: Spot| steps(other).any(|to| (at[0] - to[0]).hypot(at[1] - to[1]) < around);
+            if are_near(line, other, around) && steps(line).any(touches) {
+                found.push(format!("`{}` crosses `{}`", line.of, other.of));
+            }
+        }
+    }
+    found
+}
+
+/// Whether the boxes around both are so near.
+fn are_near(one: &Ink, other: &Ink, around: f64) -> bool {
+    let ends = |ink: &Ink, k: usize| {
+        let along = ink.points.iter().map(|point| point[k]);
+        along.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], x| [least.min(x), most.max(x)])
+    };
+    (0..2).all(|k| {
+        let ([a, b], [c, d]) = (ends(one, k), ends(other, k));
+        a < d + around && c < b + around
+    })
+}
+
+/// Points along what is seen, half a pixel apart.
+fn steps(ink: &Ink) -> impl Iterator<Item = Spot> {
+    ink.points.windows(2).flat_map(|ends| {
+        let count = ((ends[1][0] - ends[0][0]).hypot(ends[1][1] - ends[0][1]) / 0.5).ceil().max(1.0);
+        (0..=count as usize)
+            .map(move |step| [0, 1].map(|k| ends[0][k] + (ends[1][k] - ends[0][k]) * step as f64 / count))
+    })
+}
+
 /// Between the middles of what two groups show.
 pub fn distance(svg: &str, one: &str, other: &str) -> f64 {
     let (_, inks, _) = read(svg);
@@ -74,15 +113,7 @@ pub fn distance(svg: &str, one: &str, other: &str) -> f64 {
 
 /// In small steps along the line.
 fn covers(text: &Text, ink: &Ink) -> bool {
-    ink.points.windows(2).any(|ends| {
-        let steps = ((ends[1][0] - ends[0][0]).hypot(ends[1][1] - ends[0][1]) / 0.5).ceil().max(1.0);
-        (0..=steps as usize).any(|step| {
-            (0..2).all(|k| {
-                let at = ends[0][k] + (ends[1][k] - ends[0][k]) * step as f64 / steps;
-                at + ink.half > text.least[k] && at - ink.half < text.most[k]
-            })
-        })
-    })
+    steps(ink).any(|at| (0..2).all(|k| at[k] + ink.half > text.least[k] && at[k] - ink.half < text.most[k]))
 }
 
 fn read(svg: &str) -> (Vec<Text>, Vec<Ink>, Spot) {

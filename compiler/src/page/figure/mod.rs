@@ -1,6 +1,7 @@
 //! The drawing of a mechanism at its start, as SVG: in the plane to scale, in space along a fixed direction.
 
 mod beam;
+mod dimensions;
 mod drives;
 mod hinges;
 mod labels;
@@ -12,6 +13,7 @@ mod space;
 
 pub use crate::drawing::canvas::{escaped, number};
 
+use super::dimensions::Dimension;
 use super::sketch::Sketch;
 use crate::drawing::canvas::{Group, PAPER, Pen, Trace};
 use crate::drawing::shapes::{self, heading, shifted};
@@ -57,10 +59,14 @@ struct Drawing {
 pub struct Figure {
     pub svg: String,
     pub left_out: usize,
+    /// How many dimensions there are, and those that found no place.
+    pub dimensions: usize,
+    pub without_place: Vec<String>,
 }
 
-pub fn figure(name: &str, sketch: &Sketch) -> Figure {
-    let view = View::of(sketch.space, sketch.up, &extent(sketch), names(sketch));
+pub fn figure(name: &str, sketch: &Sketch, dimensions: &[Dimension]) -> Figure {
+    let beside = dimensions::room(dimensions);
+    let view = View::of(sketch.space, sketch.up, &extent(sketch), names(sketch), beside);
     let unit = unit(&view, sketch);
     let times = sketch.times;
     let mut drawing =
@@ -90,7 +96,7 @@ pub fn figure(name: &str, sketch: &Sketch) -> Figure {
     for drive in &sketch.drives {
         drives::drive(&mut drawing, drive);
     }
-    drawing.write(name, sketch.space)
+    drawing.write(name, sketch.space, dimensions)
 }
 
 /// A drawing as a file of its own, on paper of its own: light, and dark where what shows it is.
@@ -168,29 +174,37 @@ impl Drawing {
         self.view.height = self.view.height.max(lowest + BELOW);
     }
 
-    fn write(mut self, name: &str, space: Space) -> Figure {
+    fn write(mut self, name: &str, space: Space, dimensions: &[Dimension]) -> Figure {
         self.make_room_below();
         let View { width, height, .. } = self.view;
-        let mut svg = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" \
-             font-family=\"sans-serif\" font-size=\"12\" stroke-linecap=\"round\" stroke-linejoin=\"round\" \
-             style=\"max-width:100%;height:auto\">\n<title>{2}, {3} mechanism at its start</title>\n",
-            number(width),
-            number(height),
-            escaped(name),
-            space.text(),
-        );
         let legend = self.legend();
+        let mut shapes = String::new();
         self.groups.sort_by(|a, b| a.layer.cmp(&b.layer).then(a.nearness.total_cmp(&b.nearness)));
-        self.groups.iter().for_each(|group| group.write(&mut svg));
-        svg.push_str(&legend);
+        self.groups.iter().for_each(|group| group.write(&mut shapes));
+        shapes.push_str(&legend);
         // Bodies first: they have most freedom of place and matter most.
         let mut labels = std::mem::take(&mut self.labels);
         labels.sort_by_key(|label| label.kind);
-        let drawn: Vec<Trace> = self.groups.iter().flat_map(|group| group.traces().to_vec()).collect();
-        let left_out = labels::write(&mut svg, &labels, self.texts, &drawn, [width, height]);
-        svg.push_str("</svg>");
-        Figure { svg, left_out }
+        let mut drawn: Vec<Trace> = self.groups.iter().flat_map(|group| group.traces().to_vec()).collect();
+        let size = labels::size(labels.len());
+        let mut sheet = dimensions::Sheet::new(&self.view, self.unit, size, self.texts, &drawn);
+        let left = sheet.write(&mut shapes, dimensions);
+        let (told, more) = dimensions::told(&left, width, height);
+        // Names have most freedom of place, so they make way for dimensions.
+        let dimensions::Sheet { texts, lines, thin, .. } = sheet;
+        drawn.extend(lines.into_iter().chain(thin));
+        let left_out = labels::write(&mut shapes, &labels, texts, &drawn, [width, height]);
+        let svg = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" \
+             font-family=\"sans-serif\" font-size=\"12\" stroke-linecap=\"round\" stroke-linejoin=\"round\" \
+             style=\"max-width:100%;height:auto\">\n<title>{2}, {3} mechanism at its start</title>\n{shapes}{told}</svg>",
+            number(width),
+            number(height + more),
+            escaped(name),
+            space.text(),
+        );
+        let without_place = left.iter().map(|dimension| format!("{} ({})", dimension.text, dimension.of));
+        Figure { svg, left_out, dimensions: dimensions.len(), without_place: without_place.collect() }
     }
 
     /// Axes of the world at the lower left, a scale at the lower right.
