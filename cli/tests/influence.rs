@@ -195,3 +195,64 @@ fn along_a_run() {
     assert_eq!((code, out.as_str()), (1, ""));
     assert!(err.contains("no parameter does anything to angle along the run"), "{err}");
 }
+
+/// Three numbers do not say how a ball is turned: exact derivatives hold it by turns about axes, differences cannot.
+#[test]
+fn a_body_that_turns_freely() {
+    let text = "spatial Ball {
+        param length [m] = 0.5; param mass [kg] = 1;
+        gravity [m/s^2] = (0, 0, -9.81);
+        cylinder bob { mass = mass; length = length; radius [m] = 0.02; }
+        joint pivot: spherical(ground(0, 0, 0) [m], bob.start);
+        output speed [m/s] = norm(bob.end.velocity);
+        start { bob.rate.z [rad/s] = 3; }
+    }";
+    let (code, out, err) = ran(text, &[]);
+    assert_eq!((code, err.as_str()), (0, ""));
+    assert!(
+        out.starts_with("Ball at the start, the turn of bob about its x, the turn of bob about its y, "),
+        "{out}"
+    );
+    // v = 3 rad/s · l.
+    assert!(out.contains("length     0.5 m  3 (m/s)/m   0.015 m/s  1         exact"), "{out}");
+    let (code, out, _) = ran(text, &["--of", "kinetic_energy"]);
+    assert_eq!(code, 1);
+    assert!(out.contains("declare an output, whose derivative is exact"), "{out}");
+}
+
+/// A rigid contact is not linearised: places are differentiated by differences, and so is a run with an impact. From the height h the ball
+/// falls for t = √(2 (h − r)/g) and comes back to e² (h − r) at the most.
+#[test]
+fn a_rigid_contact() {
+    let text = "planar Drop {
+        param height [m] = 0.5; param bounce = 0.5; param mass [kg] = 1;
+        gravity [m/s^2] = (0, -9.81);
+        body ball { mass = mass; inertia [kg*m^2] = 0.01; }
+        surface skin: circle(ball.center, radius [m] = 0.1);
+        surface floor: half_plane(line(ground(-1, 0) [m], ground(1, 0) [m]));
+        joint guide: prismatic(ground(0 [m], height), ball.center, axis = (0, 1));
+        contact touch: between(skin, floor) = rigid(restitution = bounce);
+        output y [m] = ball.center.y;
+        start { guide.travel [m] = 0; }
+    }";
+    let (code, out, err) = ran(text, &["--of", "y"]);
+    assert_eq!((code, err.as_str()), (0, ""), "{out}");
+    assert!(out.contains(" 1 ± ") && out.contains("differences\n  no influence: bounce, mass\n"), "{out}");
+    let (code, out, err) = ran(
+        text,
+        &["--csv", "--measure", "last(y)", "--for", "0.4s", "--integrator", "dormand_prince:1e-12"],
+    );
+    assert_eq!((code, err.as_str()), (0, ""), "{out}");
+    let derivative = |name: &str| -> f64 {
+        let line = out.lines().find(|line| line.contains(&format!(",{name},"))).expect(&out);
+        line.rsplit(',').nth(5).expect(line).parse().expect(line)
+    };
+    let (fall, g, e): (f64, f64, f64) = (0.4, 9.81, 0.5);
+    let time = (2.0 * fall / g).sqrt();
+    let rest = 0.4 - time;
+    // y = r + e g t τ − g τ²/2 with τ = 0.4 s − t, and ∂t/∂h = 1/(g t).
+    let by_height = (e * g * (rest - time) + g * rest) / (g * time);
+    for (name, expected) in [("height", by_height), ("bounce", g * time * rest)] {
+        assert!((derivative(name) - expected).abs() < 1e-5, "{name}: {} {expected}\n{out}", derivative(name));
+    }
+}

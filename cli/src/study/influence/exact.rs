@@ -7,7 +7,9 @@ use crate::study::{Failure, Loaded};
 use linkwright_compiler::check::assemble::{Ancestry, Point};
 use linkwright_compiler::equations::tangent::{Matrix, coordinates_by_parameters};
 use linkwright_engine::{Derivatives, Engine, EngineError, Numbers};
-use linkwright_runtime::{Assemble, Linearisation, Mechanism, MovedOf, Tangent, Vector};
+use linkwright_runtime::{
+    Assemble, Condition, ConditionKind, Linearisation, Mechanism, MovedOf, Tangent, Vector,
+};
 
 /// Relative to a row's own derivative: what does not close.
 const OPEN: f64 = 1e-9;
@@ -40,8 +42,13 @@ impl<'l> Exact<'l> {
 
     /// The names of the coordinates that are held.
     pub fn held(&self) -> Vec<String> {
-        let conditions = self.engine.conditions();
-        self.engine.states().iter().map(|index| conditions[usize::from(*index)].of.to_string()).collect()
+        let conditions =
+            self.engine.states().iter().map(|index| &self.engine.conditions()[usize::from(*index)]);
+        let name = |condition: &Condition| match (condition.kind, condition.of.rsplit_once(".rate.")) {
+            (ConditionKind::Rate, Some((body, axis))) => format!("the turn of {body} about its {axis}"),
+            _ => condition.of.to_string(),
+        };
+        conditions.map(name).collect()
     }
 
     /// ∂y/∂p of all outputs at a state, SI, for each parameter; or why there is none.

@@ -16,12 +16,18 @@ pub struct Assembled<'l> {
     state: &'l EngineState,
     inputs: &'l Numbers,
     motions: Vec<Motion<f64>>,
+    /// How many coordinates would fix the whole.
+    freedoms: usize,
 }
+
+/// What cannot be assembled anew at the same position: three numbers do not say how a ball is turned.
+const FREE: &str = "no coordinates say how a body on a ball is turned, so that differences cannot hold it: declare an output, whose derivative is exact";
 
 impl<'l> Assembled<'l> {
     pub fn of(loaded: &Loaded, state: &'l EngineState, inputs: &'l Numbers) -> Self {
         let motions = with_engine!(&loaded.engine, |engine| motions(engine, state));
-        Assembled { columns: columns(&loaded.compiled, &GROUPS), state, inputs, motions }
+        let freedoms = loaded.compiled.complete.tangents.as_ref().map_or(0, |it| it.states.len());
+        Assembled { freedoms, columns: columns(&loaded.compiled, &GROUPS), state, inputs, motions }
     }
 
     /// All columns as they are.
@@ -34,6 +40,9 @@ impl<'l> Assembled<'l> {
         let engine = prepared(engine, parameters)?;
         with_engine!(&engine, |engine| {
             let near = &self.state.q;
+            if engine.independent().len() < self.freedoms {
+                return Err(FREE.to_string());
+            }
             let moved = engine.kinematics(0.0, near, &self.motions).map_err(|error| error.to_string())?;
             let mut state = State { q: moved.q, v: moved.v, ..self.state.clone() };
             if !state.gates.as_slice().is_empty() {

@@ -127,19 +127,23 @@ fn at_start(
     let is_exact = |column: &Column| column.group == Group::Outputs;
     let derivatives =
         if wanted.iter().any(is_exact) { exact.at(0.0, &state, &inputs, by) } else { Vec::new() };
-    let by_differences: Vec<Result<Vec<Slope>, String>> = if wanted.iter().all(is_exact) {
-        Vec::new()
-    } else {
-        let varied: Vec<Varied> = by.iter().map(Varied::of).collect();
-        slopes(&loaded.engine, &varied, &values, &|engine, parameters| assembled.with(engine, parameters))
-    };
+    // What cannot be linearised, as a rigid contact, may be assembled anew all the same.
+    let by_differences: Vec<Result<Vec<Slope>, String>> =
+        if wanted.iter().all(is_exact) && derivatives.iter().all(Result::is_ok) {
+            Vec::new()
+        } else {
+            let varied: Vec<Varied> = by.iter().map(Varied::of).collect();
+            slopes(&loaded.engine, &varied, &values, &|engine, parameters| assembled.with(engine, parameters))
+        };
     let tables = wanted.iter().map(|column| {
         let index = place(column);
         let lines = by.iter().enumerate().map(|(k, parameter)| {
+            let differences = || by_differences[k].as_ref().map(|all| all[index]);
             let slope = if is_exact(column) {
-                derivatives[k].as_ref().map(|all| Slope::exact(all[index] / column.scale))
+                let exact = derivatives[k].as_ref().map(|all| Slope::exact(all[index] / column.scale));
+                exact.or_else(|message| differences().map_err(|_| message))
             } else {
-                by_differences[k].as_ref().map(|all| all[index])
+                differences()
             };
             Line {
                 parameter: k,

@@ -6,8 +6,8 @@ use crate::study::options::Study;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
-/// Of the largest: what is rounding.
-const NOTHING: f64 = 1e-12;
+/// Of the largest: what is rounding of an exact derivative, and of one by differences.
+const NOTHING: [f64; 2] = [1e-12, 1e-9];
 
 /// A quantity and what each parameter does to it.
 pub struct Table {
@@ -40,10 +40,11 @@ impl Table {
     /// Whether a parameter does nothing, as far as numbers tell.
     fn is_nothing(&self, line: &Line, by: &[Parameter]) -> bool {
         let Ok(slope) = &line.slope else { return false };
-        let size = self.largest(by).max(self.value.abs());
         let parameter = &by[line.parameter];
-        let whole = if parameter.value == 0.0 { slope.value * parameter.step } else { self.whole(line, by) };
-        slope.value == 0.0 || (slope.how == How::Exact && whole.abs() <= NOTHING * size)
+        let change = if parameter.value == 0.0 { parameter.step / parameter.scale } else { parameter.value };
+        let whole = (slope.value.abs() + slope.error) * change.abs();
+        let rounding = if slope.how == How::Exact { NOTHING[0] } else { NOTHING[1] };
+        whole <= rounding * self.largest(by).max(self.value.abs())
     }
 
     /// What +1 % of the parameter does; nothing is a percent of zero.
@@ -104,10 +105,11 @@ impl Table {
     }
 }
 
-/// `deg/mm`, `1/(N*m)`.
+/// `deg/mm`, `1/(N*m)`, `(m/s)/mm`.
 pub fn quotient(of: &str, by: &str) -> String {
+    let of = if of.contains('/') && by != "1" { format!("({of})") } else { of.to_string() };
     match by {
-        "1" => of.to_string(),
+        "1" => of,
         by if by.contains(['*', '/']) => format!("{of}/({by})"),
         by => format!("{of}/{by}"),
     }

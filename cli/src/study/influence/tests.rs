@@ -95,8 +95,17 @@ fn all_that_ships_by_differences() {
                 continue;
             }
             for (parameter, exact, differences) in both(&loaded, &study) {
-                let (Ok(exact), Ok(differences)) = (&exact, &differences) else {
-                    panic!("{} by {parameter}: {:?} {:?}", loaded.name, exact.err(), differences.err())
+                let (exact, differences) = match (&exact, &differences) {
+                    (Ok(exact), Ok(differences)) => (exact, differences),
+                    (Ok(_), Err(message)) if message.contains("on a ball") => continue,
+                    (exact, differences) => {
+                        panic!(
+                            "{} by {parameter}: {:?} {:?}",
+                            loaded.name,
+                            exact.as_ref().err(),
+                            differences.as_ref().err()
+                        )
+                    }
                 };
                 let outputs = &loaded.compiled.mechanism.outputs;
                 let largest = exact.iter().fold(0.0, |largest: f64, it| largest.max(it.abs()));
