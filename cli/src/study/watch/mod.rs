@@ -19,8 +19,11 @@ use std::time::{Duration, Instant, SystemTime};
 
 /// Where it listens if nothing is said.
 pub const PORT: u16 = 4180;
-/// Between two looks at the file.
-const LOOK: Duration = Duration::from_millis(15);
+/// Between two looks at the file, and at one that is just being written.
+const LOOK: Duration = Duration::from_millis(5);
+const AGAIN: Duration = Duration::from_millis(3);
+/// A file that goes on changing, or stays empty or away, is shown after so many of these.
+const LOOKS: usize = 20;
 /// How long a page waits for a change before it asks anew.
 const PATIENCE: Duration = Duration::from_secs(20);
 /// Requests are short and come at once.
@@ -107,16 +110,40 @@ fn changed(file: impl AsRef<Path>, known: Option<&str>) -> String {
     let begin = Instant::now();
     loop {
         let stamp = stamp(file.as_ref());
-        if known != Some(&stamp) || begin.elapsed() > PATIENCE {
+        if known.is_some() && known != Some(&stamp) {
+            return settled(stamp, || {
+                thread::sleep(AGAIN);
+                self::stamp(file.as_ref())
+            });
+        }
+        if known.is_none() || begin.elapsed() > PATIENCE {
             return stamp;
         }
         thread::sleep(LOOK);
     }
 }
 
+/// The stamp that two looks in a row find: editors empty a file or take it away before they write it, and what is there meanwhile
+/// is nobody's text.
+fn settled(mut stamp: String, mut look: impl FnMut() -> String) -> String {
+    for _ in 0..LOOKS {
+        let again = look();
+        let is_text = again != GONE && !again.ends_with(EMPTY);
+        if again == stamp && is_text {
+            break;
+        }
+        stamp = again;
+    }
+    stamp
+}
+
+/// The stamp of a file that is gone, and the end of that of an empty one.
+const GONE: &str = "gone";
+const EMPTY: &str = "-0";
+
 /// When it was changed, and its length; of a file that is gone, that.
 fn stamp(file: &Path) -> String {
-    let Ok(about) = fs::metadata(file) else { return "gone".to_string() };
+    let Ok(about) = fs::metadata(file) else { return GONE.to_string() };
     let since = about.modified().ok().and_then(|time| time.duration_since(SystemTime::UNIX_EPOCH).ok());
     format!("{}-{}", since.unwrap_or_default().as_nanos(), about.len())
 }
@@ -129,4 +156,38 @@ fn send(mut stream: &TcpStream, status: &str, kind: &str, body: &str) -> io::Res
     );
     stream.write_all(head.as_bytes())?;
     stream.write_all(body.as_bytes())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{AGAIN, GONE, LOOK, LOOKS, settled};
+    use std::time::Duration;
+
+    /// What is shown is the file once it is written, and each look but the last is one that found it changing.
+    #[test]
+    fn a_file_is_shown_once_it_is_written() {
+        for (first, looks, expected) in [
+            ("1-9", vec!["1-9"], "1-9"),
+            ("1-0", vec!["1-0", "2-4", "3-9", "3-9"], "3-9"),
+            (GONE, vec![GONE, "1-9", "1-9"], "1-9"),
+            (GONE, vec![GONE; LOOKS], GONE),
+            ("1-0", vec!["1-0"; LOOKS], "1-0"),
+        ] {
+            let mut rest = looks.iter();
+            let found = settled(first.to_string(), || rest.next().expect("no look too many").to_string());
+            assert_eq!((found.as_str(), rest.len()), (expected, 0), "{first} {looks:?}");
+        }
+        let mut count = 0;
+        let restless = settled(String::new(), || {
+            count += 1;
+            count.to_string()
+        });
+        assert_eq!((restless, count), (LOOKS.to_string(), LOOKS));
+    }
+
+    /// A tenth of the 100 ms within which an edit is to be seen goes to looking.
+    #[test]
+    fn looking_leaves_time_for_the_motion() {
+        assert!(LOOK + AGAIN <= Duration::from_millis(10));
+    }
 }
