@@ -60,7 +60,7 @@ impl Bow {
         for (index, (modes, way)) in single.chain(double).enumerate() {
             let (mut nodes, mut values, mut slopes) = (Vec::new(), Vec::new(), Vec::new());
             for held in &places {
-                for _ in 0..if held.turns_with && way == Way::Bending { 2 } else { 1 } {
+                for _ in 0..if held.turns_with && way.bends() { 2 } else { 1 } {
                     nodes.push(held.x);
                     values.push(values_at(&slender, held.x)[index]);
                     slopes.push(slender.slopes(held.x).get(index).copied().unwrap_or(0.0));
@@ -110,8 +110,8 @@ impl Bow {
     }
 
     /// What is shown of the place at x, in the axes of the frame, from its origin.
-    pub fn shown(&self, x: f64, modes: &[f64], times: f64) -> [f64; 2] {
-        let mut at = [x, 0.0];
+    pub fn shown(&self, x: f64, modes: &[f64], times: f64) -> [f64; 3] {
+        let mut at = [x, 0.0, 0.0];
         for (term, factor) in self.terms.iter().zip(self.factors(x, times)) {
             at[term.axis] += factor * term.modes.iter().map(|mode| modes[*mode]).product::<f64>();
         }
@@ -121,8 +121,11 @@ impl Bow {
     /// The largest deflection across the axis that is magnified, of the length.
     pub fn deflection(&self, modes: &[f64]) -> f64 {
         let away = |factors: &Vec<f64>| {
-            let sum: f64 = factors.iter().zip(modes).map(|(factor, mode)| factor * mode).sum();
-            sum.abs()
+            let mut sums = [0.0; 3];
+            for ((factor, mode), term) in factors.iter().zip(modes).zip(&self.terms) {
+                sums[term.axis] += factor * mode;
+            }
+            sums[1].hypot(sums[2])
         };
         self.across.iter().map(away).fold(0.0, f64::max) / self.slender.length
     }

@@ -1,7 +1,7 @@
 //! Slender beams as numbers: shapes, and what their mass and stiffness make of them. Nothing here knows of graphs or definitions.
 //!
-//! A point of the axis at x, from the origin of the beam's frame, is at (x + Σ N_a p_a, Σ N_b p_b), Euler and Bernoulli's beam in a
-//! floating frame of reference (Shabana, *Dynamics of Multibody Systems*, 5.2–5.5; Géradin, Rixen, *Mechanical Vibrations*, 4.2). With
+//! A point of the axis at x, from the origin of the beam's frame, is at (x + Σ N_a p_a, Σ N_b p_b), in space with a third component of the
+//! same kind, Euler and Bernoulli's beam in a floating frame of reference (Shabana, *Dynamics of Multibody Systems*, 5.2–5.5; Géradin, Rixen, *Mechanical Vibrations*, 4.2). With
 //! m the mass, all integrals of the inertia are m times a constant, because mass is spread evenly. Where the axis keeps its length as it
 //! bends, places move along it too: `stiffening`. How pictures show the axis stands in `bow`.
 
@@ -20,6 +20,7 @@ pub use gauss::Rule;
 pub use shape::{Shape, Wave};
 pub use stiffening::Shortening;
 
+use crate::forms::Space;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Most modes of one kind.
@@ -61,25 +62,58 @@ impl Shapes {
 pub struct Counts {
     pub axial: usize,
     pub bending: usize,
+    /// Along z, of beams in space.
+    pub bending_z: usize,
     /// Whether the axial ones are polynomials whatever the others are: with two of them the quadratic element of finite element codes.
     pub quadratic: bool,
 }
 
-/// Along the axis or across it.
+impl Counts {
+    pub fn of(&self, way: Way) -> usize {
+        match way {
+            Way::Axial => self.axial,
+            Way::Bending => self.bending,
+            Way::BendingZ => self.bending_z,
+        }
+    }
+
+    /// Whether there are any across the axis.
+    pub fn bends(&self) -> bool {
+        self.bending + self.bending_z > 0
+    }
+}
+
+/// Along the axis or across it, in space in two directions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Way {
     Axial,
+    /// Along y, about z.
     Bending,
+    /// Along z, about y.
+    BendingZ,
 }
 
 impl Way {
-    pub const ALL: [Self; 2] = [Self::Axial, Self::Bending];
-
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Axial => "axial",
-            Self::Bending => "bending",
+    /// Those there are, by their axes.
+    pub fn of(space: Space) -> &'static [Self] {
+        match space {
+            Space::Planar => &[Self::Axial, Self::Bending],
+            Space::Spatial => &[Self::Axial, Self::Bending, Self::BendingZ],
         }
+    }
+
+    pub fn word(self, space: Space) -> &'static str {
+        match (self, space) {
+            (Self::Axial, _) => "axial",
+            (Self::Bending, Space::Planar) => "bending",
+            (Self::Bending, Space::Spatial) => "bending_y",
+            (Self::BendingZ, _) => "bending_z",
+        }
+    }
+
+    /// Whether it is across the axis.
+    pub fn bends(self) -> bool {
+        self != Self::Axial
     }
 
     /// Along which of the frame's axes.
@@ -87,6 +121,7 @@ impl Way {
         match self {
             Self::Axial => 0,
             Self::Bending => 1,
+            Self::BendingZ => 2,
         }
     }
 }
@@ -125,7 +160,8 @@ impl Slender {
         let from = if shapes == Shapes::Free { -0.5 * length } else { 0.0 };
         let axial = if counts.quadratic { Shapes::Static } else { shapes };
         let mut modes = axial_modes(axial, length, counts.axial);
-        modes.extend(bending_modes(shapes, length, counts.bending));
+        modes.extend(bending_modes(shapes, length, Way::Bending, counts.bending));
+        modes.extend(bending_modes(shapes, length, Way::BendingZ, counts.bending_z));
         let (first, second) = means(shapes, from, length, &modes);
         Slender { shapes, length, from, modes, shortenings: Vec::new(), first, second }
     }
@@ -145,7 +181,7 @@ impl Slender {
     pub fn slopes(&self, x: f64) -> Vec<f64> {
         let slope = |mode: &Mode| match mode.way {
             Way::Axial => 0.0,
-            Way::Bending => mode.shape.at(self.share(x), 1) / self.length,
+            Way::Bending | Way::BendingZ => mode.shape.at(self.share(x), 1) / self.length,
         };
         self.modes.iter().map(slope).collect()
     }
@@ -188,7 +224,7 @@ fn axial_modes(shapes: Shapes, length: f64, count: usize) -> Vec<Mode> {
 }
 
 /// Géradin, Rixen, 4.2: N⁗ = (λ/L)⁴ N, so that ∫ (N″)² = (λ/L)⁴ ∫ N².
-fn bending_modes(shapes: Shapes, length: f64, count: usize) -> Vec<Mode> {
+fn bending_modes(shapes: Shapes, length: f64, way: Way, count: usize) -> Vec<Mode> {
     let wave = |number: usize| {
         let (lambda, shape, square) = match shapes {
             Shapes::Free => {
@@ -205,10 +241,10 @@ fn bending_modes(shapes: Shapes, length: f64, count: usize) -> Vec<Mode> {
             }
         };
         let stiffness = square * lambda.powi(4) / length.powi(3);
-        Mode { way: Way::Bending, number, shape: Shape::Wave(shape), stiffness }
+        Mode { way, number, shape: Shape::Wave(shape), stiffness }
     };
     match shapes {
-        Shapes::Static => polynomial_modes(Way::Bending, count, 2, length),
+        Shapes::Static => polynomial_modes(way, count, 2, length),
         _ => (0..count).map(wave).collect(),
     }
 }
@@ -255,7 +291,7 @@ fn means(shapes: Shapes, from: f64, length: f64, modes: &[Mode]) -> (Vec<f64>, V
         // The frame is that of the mean motion: neither momentum nor moment of momentum in bending.
         for (index, mode) in modes.iter().enumerate() {
             first[index + 1] = 0.0;
-            if mode.way == Way::Bending {
+            if mode.way.bends() {
                 (second[0][index + 1], second[index + 1][0]) = (0.0, 0.0);
             }
         }

@@ -4,9 +4,9 @@
 //!
 //! Γ are functions along the axis as shapes are, and all products have their means: T is the whole ½ ∫ |ṙ|² of these places.
 
-use super::{Mode, Shapes, Slender, Way, gauss};
+use super::{Mode, Shapes, Slender, gauss};
 
-/// Γ of two modes in bending, of which the first is not behind the second.
+/// Γ of two modes of one way of bending, of which the first is not behind the second.
 #[derive(Clone, Copy, Debug)]
 pub struct Shortening {
     pub modes: (usize, usize),
@@ -19,10 +19,11 @@ pub struct Shortening {
 impl Slender {
     /// With Γ behind the shapes in the means.
     pub fn stiffened(mut self) -> Self {
-        let bending = |mode: &usize| self.modes[*mode].way == Way::Bending;
-        let bending: Vec<usize> = (0..self.modes.len()).filter(bending).collect();
+        // What moves across two ways has slopes across one another.
+        let way = |mode: usize| self.modes[mode].way;
+        let bending: Vec<usize> = (0..self.modes.len()).filter(|mode| way(*mode).bends()).collect();
         let pairs = bending.iter().flat_map(|j| bending.iter().map(move |k| (*j, *k)));
-        let pairs: Vec<(usize, usize)> = pairs.filter(|(j, k)| j <= k).collect();
+        let pairs: Vec<(usize, usize)> = pairs.filter(|(j, k)| j <= k && way(*j) == way(*k)).collect();
         let shapes = self.first.len();
         let functions = |(share, weight): (f64, f64)| {
             let mut values = vec![self.from + share * self.length];

@@ -3,7 +3,7 @@
 use super::*;
 
 fn slender(shapes: Shapes, length: f64, axial: usize, bending: usize) -> Slender {
-    Slender::new(shapes, length, Counts { axial, bending, quadratic: false })
+    Slender::new(shapes, length, Counts { axial, bending, bending_z: 0, quadratic: false })
 }
 
 fn near(found: f64, expected: f64, within: f64) {
@@ -270,7 +270,8 @@ fn polynomials_find_the_frequencies() {
 /// The element of two quadratic functions that are 1 in the middle and at the end: its stiffness 16/3, −8/3, 7/3 and its mass 8, 1, 2 fifteenths.
 #[test]
 fn quadratic_is_the_element() {
-    let beam = Slender::new(Shapes::Pinned, 1.0, Counts { axial: 2, bending: 1, quadratic: true });
+    let beam =
+        Slender::new(Shapes::Pinned, 1.0, Counts { axial: 2, bending: 1, bending_z: 0, quadratic: true });
     // Rows: u in the middle and at the end of each mode.
     let nodes = [beam.values(0.5), beam.values(1.0)];
     let of = |matrix: [[f64; 2]; 2], j: usize, k: usize| -> f64 {

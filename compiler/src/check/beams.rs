@@ -8,9 +8,10 @@ use crate::beams::{Shapes, Way};
 use crate::diagnostics::{Diagnostics, Lint};
 use crate::equations::Equations;
 use crate::messages;
-use crate::model::{Beam, Body, BodyId, Expr, Frame, Mechanism, Place};
+use crate::model::{Beam, Body, BodyId, Expr, Frame, Mechanism, Place, Space};
 use crate::solve::Solved;
-use std::f64::consts::PI;
+use crate::syntax::Side;
+use std::f64::consts::{PI, TAU};
 
 /// Lengths in radii of gyration √(I/A) below which shear and the turning of sections are seen (Timoshenko).
 const SLENDER: f64 = 20.0;
@@ -19,13 +20,34 @@ const MUCH: f64 = 1.0 / 3.0;
 /// The first root of the clamped beam, squared.
 const CLAMPED: f64 = 1.875_104_068_711_961_1 * 1.875_104_068_711_961_1;
 
+/// Frequencies of modes by themselves are as expected.
+pub(super) fn frequencies(mechanism: &Mechanism, errors: &mut Diagnostics) {
+    let defaults = mechanism.defaults();
+    for expected in &mechanism.expect.frequencies {
+        let body = &mechanism.bodies[expected.body.0];
+        let Some(beam) = &body.beam else { continue };
+        let found = beam.rates(&body.mass, &defaults)[expected.mode] / TAU;
+        let holds = match expected.side {
+            Side::Above => found >= expected.bound,
+            Side::Below => found <= expected.bound,
+        };
+        if !holds {
+            let mode = format!("{}.{}", body.name.text, beam.mode_name(expected.mode));
+            let above = expected.side == Side::Above;
+            errors.error(expected.span, messages::frequency_missed(&mode, found, above, expected.bound));
+        }
+    }
+}
+
 /// A beam is long in its thickness.
 pub(super) fn beams_are_slender(mechanism: &Mechanism, wanted: &mut Wanted) {
     for body in &mechanism.bodies {
         let Some(beam) = &body.beam else { continue };
-        let value = |way| at_defaults(mechanism, beam.rigidity(way));
-        let (Some(axial), Some(bending)) = (value(Way::Axial), value(Way::Bending)) else { continue };
-        let ratio = beam.slender.length / (bending / axial).sqrt();
+        let axial = at_defaults(mechanism, beam.rigidity(Way::Axial));
+        let stiffest =
+            ways(beam).filter_map(|way| at_defaults(mechanism, beam.rigidity(way))).fold(0.0, f64::max);
+        let Some(axial) = axial else { continue };
+        let ratio = beam.slender.length / (stiffest / axial).sqrt();
         if ratio < SLENDER && has_bending(beam) {
             wanted.push(Lint::Slender, body.name.span, messages::thick_beam(&body.name.text, ratio, SLENDER));
         }
@@ -88,22 +110,30 @@ pub fn unstiffened<'m>(
     for (index, body) in mechanism.bodies.iter().enumerate() {
         let Some(beam) = is_soft(body) else { continue };
         let value = |expr: &Expr| at_defaults(mechanism, expr);
-        let (Some(bending), Some(mass)) = (value(beam.rigidity(Way::Bending)), value(&body.mass)) else {
-            continue;
-        };
+        let softest = ways(beam).filter_map(|way| value(beam.rigidity(way))).reduce(f64::min);
+        let (Some(bending), Some(mass)) = (softest, value(&body.mass)) else { continue };
         let length = beam.slender.length;
         let name = &body.name.text;
-        let rate = point.get(equations.motions[index].rate[0]).abs();
+        // Across the axis: in the plane there is no other rate.
+        let rates = equations.motions[index].rate.iter().map(|node| point.get(*node)).collect::<Vec<_>>();
+        let rate = match rates.as_slice() {
+            [_, y, z] => y.hypot(*z),
+            rates => rates.iter().fold(0.0, |sum: f64, rate| sum.hypot(*rate)),
+        };
         let natural = CLAMPED * (bending / (mass * length.powi(3))).sqrt();
         if rate > MUCH * natural {
             found.warning(Lint::Stiffening, body.name.span, messages::fast_beam(name, rate, natural));
             continue;
         }
-        let along: Vec<f64> =
-            equations.motions[index].orientation.iter().map(|node| point.get(*node)).collect();
+        // The axis of its frame: (cos, sin), or the first column of the matrix.
+        let orientation = &equations.motions[index].orientation;
+        let along: Vec<f64> = match mechanism.space {
+            Space::Planar => orientation.iter().map(|node| point.get(*node)).collect(),
+            Space::Spatial => orientation.iter().step_by(3).map(|node| point.get(*node)).collect(),
+        };
         let ends = thrusts(mechanism, index, beam, |joint| {
-            let force = &equations.reactions[joint];
-            (0..2).map(|k| along[k] * point.get(force[k])).sum()
+            let force = equations.reactions[joint].iter();
+            along.iter().zip(force).map(|(along, force)| along * point.get(*force)).sum()
         });
         let (thrust, factor) = match ends {
             [Some(start), Some(end)] => (0.5 * (start + end), 1.0),
@@ -146,5 +176,11 @@ fn x_of(place: &Place, body: usize) -> Option<f64> {
 }
 
 fn has_bending(beam: &Beam) -> bool {
-    beam.slender.modes.iter().any(|mode| mode.way == Way::Bending)
+    beam.slender.modes.iter().any(|mode| mode.way.bends())
+}
+
+/// The ways in which a beam bends.
+fn ways(beam: &Beam) -> impl Iterator<Item = Way> + '_ {
+    let bends = |way: &Way| beam.slender.modes.iter().any(|mode| mode.way == *way);
+    Way::of(beam.space).iter().copied().filter(|way| way.bends()).filter(bends)
 }

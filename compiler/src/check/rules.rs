@@ -14,7 +14,7 @@ use crate::model::{
 use std::collections::HashMap;
 
 /// The rules in the order they are reported.
-const RULES: [fn(&Mechanism, &mut Diagnostics); 21] = [
+const RULES: [fn(&Mechanism, &mut Diagnostics); 22] = [
     has_bodies,
     is_of_a_size_to_write_out,
     bounds_hold_the_default,
@@ -36,6 +36,7 @@ const RULES: [fn(&Mechanism, &mut Diagnostics); 21] = [
     cuts_differ,
     loads_act_on_bodies,
     loops_of_friction_are_small,
+    super::beams::frequencies,
 ];
 
 /// Applies all rules.

@@ -87,6 +87,14 @@ impl<'g> On<'g, &'g Kinematics> {
         }
     }
 
+    /// The coordinate of a mode of a beam.
+    pub fn mode(self, body: usize, mode: usize) -> Option<Moving<'g>> {
+        match self.bare {
+            Kinematics::Plane(plane) => self.g.on(plane).mode(body, mode),
+            Kinematics::Space(space) => self.g.on(space).mode(body, mode),
+        }
+    }
+
     /// A quantity whose rate is ω of a body in space about one of its axes; it has no value of its own.
     pub fn omega(self, body: BodyId, axis: usize) -> Moving<'g> {
         match self.bare {
@@ -108,6 +116,17 @@ impl<'g> On<'g, &'g Kinematics> {
         match self.bare {
             Kinematics::Plane(_) => Vec::new(),
             Kinematics::Space(space) => self.g.on(space).turning_in_world(body).to_vec(),
+        }
+    }
+
+    /// The same of what a place belongs to: of a beam, of the section there.
+    pub fn turning_at(self, laws: &Laws<'g>, place: &Place) -> Vec<Moving<'g>> {
+        match self.bare {
+            Kinematics::Plane(_) => Vec::new(),
+            Kinematics::Space(space) => {
+                let space = self.g.on(space);
+                space.link_turning_in_world(space.spot(laws, place).link).to_vec()
+            }
         }
     }
 }

@@ -293,7 +293,7 @@ impl<'a> Laws<'a> {
             Coordinate::Position(place, axis) => self.kinematics().world(self, place)[*axis].clone(),
             Coordinate::Turn(body, axis) => self.kinematics().omega(*body, *axis),
             Coordinate::Mode(body, mode) => {
-                self.plane().mode(body.0, *mode).unwrap_or_else(|| self.still(self.g.zero()))
+                self.kinematics().mode(body.0, *mode).unwrap_or_else(|| self.still(self.g.zero()))
             }
             Coordinate::Deviation(body, axis) => {
                 let mut stated = self.mechanism.orientations.iter();

@@ -11,12 +11,14 @@ pub mod bodies;
 pub mod conditions;
 pub mod coordinates;
 pub mod couplings;
+pub mod elastic;
 mod friction;
 mod jet;
 mod kinematics;
 mod laws;
 pub mod loads;
 mod look_up;
+mod means;
 pub mod plane;
 mod rows;
 pub mod space;
@@ -36,6 +38,7 @@ pub use spanning_tree::{Attachment, SpanningTree};
 pub use switch::{Omitted, Sized, Switch};
 pub use tangent::Tangents;
 
+use crate::beams::Way;
 use crate::forms::{CONTACT_LAWS, SURFACES, Sign, Vocabulary};
 use crate::model::{Coordinate, Mechanism, Rate, Redundant, Space, identifier};
 use crate::symbolic::{Class, Growing, Node, Scalar, Sheet, all_bare};
@@ -464,7 +467,8 @@ fn masses(laws: &Laws) -> Vec<(String, Node)> {
     }
     for body in &laws.mechanism.bodies {
         let Some(beam) = &body.beam else { continue };
-        for (what, rigidity) in ["axial", "bending"].iter().zip(&beam.rigidities) {
+        for way in Way::of(beam.space) {
+            let (what, rigidity) = (way.word(beam.space), beam.rigidity(*way));
             masses.push((format!("{what} stiffness of \"{}\"", body.name.text), laws.value(rigidity).bare));
         }
     }

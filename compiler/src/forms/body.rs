@@ -78,8 +78,13 @@ pub struct Volume {
     pub edges: &'static [(&'static str, u32)],
 }
 
-/// What a beam has beside its mass and its length.
-const BEAM: [&str; 5] = ["density", "young", "area", "second_moment", "damping_ratio"];
+/// Second moments of area of a beam's section in the order of the axes across it that it bends along, y before z: the first is about z.
+pub fn second_moments(space: Space) -> &'static [&'static str] {
+    match space {
+        Space::Planar => &["second_moment"],
+        Space::Spatial => &["second_moment_z", "second_moment_y"],
+    }
+}
 
 /// Cross-sections by their lengths, the one across the beam before the one along z.
 pub const SECTIONS: [(&str, &[&str]); 3] =
@@ -134,7 +139,8 @@ impl BodyForm {
             names.push("inertia");
         }
         if self.bends {
-            names.extend(BEAM);
+            names.extend(["density", "young", "area"].iter().chain(second_moments(space)));
+            names.push("damping_ratio");
         }
         names
     }
@@ -146,7 +152,7 @@ impl BodyForm {
         if solid.has_size() {
             names.push("size");
         }
-        if self.turns && space == Space::Spatial {
+        if self.turns && !self.bends && space == Space::Spatial {
             names.extend(["inertia", "products", "inertia_axes"]);
         }
         names

@@ -1,8 +1,8 @@
 //! Texts about beams.
 
 use super::{closest, number};
-use crate::beams::{Counts, Shapes};
-use crate::forms::SECTIONS;
+use crate::beams::{Counts, Shapes, Way};
+use crate::forms::{SECTIONS, Space, second_moments};
 use crate::numbers::significant;
 
 /// In backticks.
@@ -32,11 +32,12 @@ pub(crate) fn unknown_shapes(asked: &str) -> String {
     format!("no shapes called \"{asked}\"; {}", listed(Shapes::ALL.into_iter().map(Shapes::word), asked))
 }
 
-pub(crate) fn unknown_section(asked: &str) -> String {
+pub(crate) fn unknown_section(asked: &str, space: Space) -> String {
     let words = SECTIONS.iter().map(|(word, _)| *word);
     format!(
-        "no section called \"{asked}\"; {} Or leave it out and write `area [mm^2] = …;` and `second_moment [mm^4] = …;`",
-        listed(words, asked)
+        "no section called \"{asked}\"; {} Or leave it out and write {}",
+        listed(words, asked),
+        stated(space)
     )
 }
 
@@ -44,17 +45,34 @@ pub(crate) fn section_without(kind: &str, missing: &str) -> String {
     format!("a {kind} needs its {missing}: write `{missing} [mm] = …` in the parentheses")
 }
 
-pub(crate) fn unknown_modes(asked: &str) -> String {
-    if matches!(asked, "torsion" | "bending_y" | "bending_z") {
-        return format!(
-            "`{asked}` needs a beam in space, which is not there yet in this version; in the plane there are `axial` and `bending`"
-        );
+pub(crate) fn unknown_modes(asked: &str, space: Space) -> String {
+    let words = || Way::of(space).iter().map(|way| way.word(space));
+    match (asked, space) {
+        ("torsion", Space::Spatial) => format!(
+            "modes in torsion are not there yet in this version; there are {}",
+            words().map(quoted_code).collect::<Vec<_>>().join(", ")
+        ),
+        ("torsion" | "bending_y" | "bending_z", Space::Planar) => {
+            format!("`{asked}` needs a beam in space; in the plane there are `axial` and `bending`")
+        }
+        ("bending", Space::Spatial) => {
+            "a beam in space bends two ways: write `bending_y` for what moves along y, and `bending_z`"
+                .to_string()
+        }
+        _ => format!("no modes called \"{asked}\"; {}", listed(words(), asked)),
     }
-    format!("no modes called \"{asked}\"; {}", listed(["axial", "bending"].into_iter(), asked))
 }
 
-pub(crate) fn no_modes() -> String {
-    "a beam without modes is a rod: write `(bending = 3)`, or `rod` in place of `beam`".to_string()
+pub(crate) fn example_of_modes(space: Space) -> &'static str {
+    match space {
+        Space::Planar => "`(bending = 3)`, or `(axial = 1, bending = 3)`",
+        Space::Spatial => "`(bending_y = 2, bending_z = 2)`, or `(axial = 1, bending_y = 2, bending_z = 2)`",
+    }
+}
+
+pub(crate) fn no_modes(space: Space) -> String {
+    let bending = Way::Bending.word(space);
+    format!("a beam without modes is a rod: write `({bending} = 3)`, or `rod` in place of `beam`")
 }
 
 pub(crate) fn modes_out_of_range(kind: &str, count: i64, most: usize) -> String {
@@ -88,10 +106,18 @@ pub(crate) fn quadratic_across() -> String {
         .to_string()
 }
 
-pub(crate) fn nothing_to_stiffen(beam: &str) -> String {
+pub(crate) fn nothing_to_stiffen(beam: &str, space: Space) -> String {
+    let bending = Way::Bending.word(space);
     format!(
-        "the beam `{beam}` has no modes in bending, which a force along it could stiffen: write `modes = (bending = 3)`, or leave \
+        "the beam `{beam}` has no modes in bending, which a force along it could stiffen: write `modes = ({bending} = 3)`, or leave \
          `stiffening` out"
+    )
+}
+
+pub(crate) fn marker_on_beam(beam: &str) -> String {
+    format!(
+        "a marker on the beam `{beam}` would have to turn with a section of it: write a `point` on its axis, where joints turn with the \
+         section, or fix a body to the beam and give that the marker"
     )
 }
 
@@ -138,11 +164,18 @@ pub(crate) fn beam_property_missing(beam: &str, property: &str, unit: &str) -> S
     format!("the beam `{beam}` has no {}: write `{property} [{unit}] = …;`", in_words(property))
 }
 
-pub(crate) fn beam_without_section(beam: &str) -> String {
+pub(crate) fn beam_without_section(beam: &str, space: Space) -> String {
     format!(
-        "the beam `{beam}` has no section: write `section = circle(diameter [mm] = …);`, or `area [mm^2] = …;` and \
-         `second_moment [mm^4] = …;`"
+        "the beam `{beam}` has no section: write `section = circle(diameter [mm] = …);`, or {}",
+        stated(space)
     )
+}
+
+/// What is written in place of a section.
+fn stated(space: Space) -> String {
+    let moments: Vec<String> =
+        second_moments(space).iter().map(|word| format!("`{word} [mm^4] = …;`")).collect();
+    format!("`area [mm^2] = …;` and {}", moments.join(" and "))
 }
 
 pub(crate) fn section_and_property(beam: &str, property: &str) -> String {
@@ -194,14 +227,14 @@ pub(crate) fn tube_inside_out(beam: &str, inner: f64, outer: f64) -> String {
     )
 }
 
-pub(crate) fn modes_of_beam(body: &str, asked: &str, counts: Counts) -> String {
-    let Counts { axial, bending, .. } = counts;
+pub(crate) fn modes_of_beam(body: &str, asked: &str, counts: Counts, space: Space) -> String {
     let kind = |word: &str, count: usize| match count {
         0 => None,
         1 => Some(format!("`{body}.{word}[0]`")),
         _ => Some(format!("`{body}.{word}[0]` to `{body}.{word}[{}]`", count - 1)),
     };
-    let known: Vec<String> = [kind("axial", axial), kind("bending", bending)].into_iter().flatten().collect();
+    let known = Way::of(space).iter().filter_map(|way| kind(way.word(space), counts.of(*way)));
+    let known: Vec<String> = known.collect();
     format!("`{body}` has no mode `{asked}`; it has {}, each with `.rate`", known.join(" and "))
 }
 
@@ -252,5 +285,20 @@ pub(crate) fn pressed_beam(beam: &str, thrust: f64, euler: f64) -> String {
         significant(thrust, 4),
         significant(thrust / euler, 2),
         significant(euler, 4)
+    )
+}
+
+pub(crate) fn no_mode(asked: &str) -> String {
+    format!(
+        "`{asked}` is no mode of a beam, which has a frequency by itself: write `frequency(coupler.bending[0]) >= 200 [Hz]`"
+    )
+}
+
+pub(crate) fn frequency_missed(mode: &str, found: f64, above: bool, bound: f64) -> String {
+    format!(
+        "`{mode}` has {} Hz by itself, {} than the {} Hz expected: change the section, the length or the material of the beam",
+        significant(found, 6),
+        if above { "less" } else { "more" },
+        number(bound)
     )
 }

@@ -2,20 +2,34 @@
 
 use super::fold;
 use super::lower::{Lowering, Use};
-use super::{BodyId, Coordinate, Expr, Frame, Function2, Joint, Mechanism, Place, StartCondition, Vector};
-use crate::beams::{Counts, Shapes, Slender, Way};
+use super::{
+    Body, BodyId, Coordinate, Expr, Frame, Frequency, Function2, Joint, Mechanism, Place, Space,
+    StartCondition, Vector,
+};
+use crate::beams::{Shapes, Slender, Way};
+use crate::forms::second_moments;
 use crate::messages;
-use crate::syntax::{self, Path};
+use crate::syntax::{self, Path, Side};
 use crate::units::Dimension;
 use std::f64::consts::PI;
 use std::sync::Arc;
+
+/// A cross-section: m², and m⁴ about z and about y.
+struct Section {
+    area: Expr,
+    about_z: Expr,
+    about_y: Expr,
+}
 
 /// What bends of a body.
 #[derive(Clone, Debug)]
 pub struct Beam {
     pub slender: Arc<Slender>,
-    /// EA, N, and EI, N m², of parameters.
-    pub rigidities: [Expr; 2],
+    pub space: Space,
+    /// EA, N, and EI, N m², of bending along y and along z, of parameters; in the plane the last is nothing.
+    pub rigidities: [Expr; 3],
+    /// In space: the square of the radius of gyration of the section about the axis, m².
+    pub spin: Expr,
     /// Of each mode, 1.
     pub damping_ratio: Expr,
 }
@@ -29,7 +43,7 @@ impl Beam {
     /// Name of a mode, `bending[0]`.
     pub fn mode_name(&self, mode: usize) -> String {
         let mode = &self.slender.modes[mode];
-        format!("{}[{}]", mode.way.word(), mode.number)
+        format!("{}[{}]", mode.way.word(self.space), mode.number)
     }
 
     /// Natural frequencies of the modes at given parameters, rad/s; not a number where one is not known.
@@ -40,6 +54,17 @@ impl Beam {
             self.slender.square_of_rate(mode, rigidity, value(mass)).sqrt()
         };
         (0..self.slender.modes.len()).map(rate).collect()
+    }
+}
+
+impl Body {
+    /// Of a beam in space: its inertia about its axis, kg m², by its mass and its section.
+    pub(super) fn spin_of_beam(&mut self) {
+        if let Some(beam) = &self.beam
+            && beam.space == Space::Spatial
+        {
+            self.inertia.moments[0] = times(self.mass.clone(), beam.spin.clone());
+        }
     }
 }
 
@@ -80,7 +105,7 @@ impl<'d> Lowering<'d> {
             return None;
         }
         let Some(Expr::Number(length)) = self.shape_length(body, "length", false) else { return None };
-        let counts = body.beam.counts();
+        let counts = body.beam.counts(self.definition.space);
         if length <= 0.0 {
             return None;
         }
@@ -138,9 +163,10 @@ impl<'d> Lowering<'d> {
                 .error(label.region.to(entry.value.region), messages::length_not_known(&body.name.text));
         }
         if let Some((label, true)) = &body.beam.stiffening
-            && body.beam.counts().bending == 0
+            && !body.beam.counts(self.definition.space).bends()
         {
-            self.diagnostics.error(label.region, messages::nothing_to_stiffen(&body.name.text));
+            self.diagnostics
+                .error(label.region, messages::nothing_to_stiffen(&body.name.text, self.definition.space));
         }
         let young = self.positive_of_beam(body, "young", Dimension::PRESSURE, "GPa");
         let section = self.section(body);
@@ -156,9 +182,13 @@ impl<'d> Lowering<'d> {
             self.diagnostics.error(entry.value.region, message);
             return None;
         }
-        let (young, [area, second_moment]) = (young?, section?);
-        let rigidities = [times(young.clone(), area), times(young, second_moment)];
-        Some(Beam { slender: slender?, rigidities, damping_ratio: damping_ratio? })
+        let (young, Section { area, about_z, about_y }) = (young?, section?);
+        let rigidity = |of: Expr| times(young.clone(), of);
+        let rigidities = [rigidity(area.clone()), rigidity(about_z.clone()), rigidity(about_y.clone())];
+        let polar = fold::binary(Function2::Add, about_y, about_z);
+        let spin = fold::binary(Function2::Div, polar, area);
+        let space = self.definition.space;
+        Some(Beam { slender: slender?, space, rigidities, spin, damping_ratio: damping_ratio? })
     }
 
     /// A property that a beam must have, and that is positive.
@@ -185,19 +215,26 @@ impl<'d> Lowering<'d> {
         Some(value)
     }
 
-    /// m² and m⁴ about z: of the section, or as written.
-    fn section(&mut self, body: &'d syntax::Body) -> Option<[Expr; 2]> {
+    /// Of the section, or as written.
+    fn section(&mut self, body: &'d syntax::Body) -> Option<Section> {
         let name = &body.name.text;
-        let written = ["area", "second_moment"].into_iter().find_map(|property| body.property(property));
+        let space = self.definition.space;
+        let words = ["area"].iter().chain(second_moments(space));
+        let written = words.into_iter().find_map(|property| body.property(property));
         let Some(section) = &body.beam.section else {
             if written.is_none() {
-                self.diagnostics.error(body.name.region, messages::beam_without_section(name));
+                self.diagnostics.error(body.name.region, messages::beam_without_section(name, space));
                 return None;
             }
             let area = self.positive_of_beam(body, "area", Dimension::AREA, "mm^2");
-            let second_moment =
-                self.positive_of_beam(body, "second_moment", Dimension::SECOND_MOMENT, "mm^4");
-            return Some([area?, second_moment?]);
+            let mut moments = second_moments(space)
+                .iter()
+                .map(|word| self.positive_of_beam(body, word, Dimension::SECOND_MOMENT, "mm^4"))
+                .collect::<Vec<_>>()
+                .into_iter();
+            let about_z = moments.next().flatten();
+            let about_y = moments.next().unwrap_or(Some(Expr::Number(0.0)));
+            return Some(Section { area: area?, about_z: about_z?, about_y: about_y? });
         };
         if let Some((label, _)) = written {
             let message = messages::section_and_property(name, &label.text);
@@ -221,11 +258,13 @@ impl<'d> Lowering<'d> {
             let found = lengths.iter().find(|(known, _)| *known == wanted);
             found.map_or(Expr::Number(0.0), |(_, length)| length.clone())
         };
-        Some(match section.kind.text.as_str() {
+        let [area, about_z, about_y] = match section.kind.text.as_str() {
             "rectangle" => {
                 let (height, width) = (of("height"), of("width"));
-                let cube = fold::power(height.clone(), 3.0);
-                [times(height, width.clone()), scaled(1.0 / 12.0, times(width, cube))]
+                let about = |across: &Expr, along: &Expr| {
+                    scaled(1.0 / 12.0, times(along.clone(), fold::power(across.clone(), 3.0)))
+                };
+                [times(height.clone(), width.clone()), about(&height, &width), about(&width, &height)]
             }
             "tube" => {
                 let (outer, inner) = (of("outer"), of("inner"));
@@ -241,13 +280,17 @@ impl<'d> Lowering<'d> {
                     let [outer, inner] = [&outer, &inner].map(|it| fold::power(it.clone(), power));
                     fold::binary(Function2::Sub, outer, inner)
                 };
-                [scaled(PI / 4.0, ring(2.0)), scaled(PI / 64.0, ring(4.0))]
+                let second_moment = scaled(PI / 64.0, ring(4.0));
+                [scaled(PI / 4.0, ring(2.0)), second_moment.clone(), second_moment]
             }
             _ => {
                 let power = |power: f64| fold::power(of("diameter"), power);
-                [scaled(PI / 4.0, power(2.0)), scaled(PI / 64.0, power(4.0))]
+                let second_moment = scaled(PI / 64.0, power(4.0));
+                [scaled(PI / 4.0, power(2.0)), second_moment.clone(), second_moment]
             }
-        })
+        };
+        let about_y = if space == Space::Spatial { about_y } else { Expr::Number(0.0) };
+        Some(Section { area, about_z, about_y })
     }
 
     /// m³.
@@ -258,30 +301,47 @@ impl<'d> Lowering<'d> {
             // Said here, and again where the section itself is read: messages of one place are one.
             return None;
         }
-        let [area, _] = section?;
-        Some(times(area, self.shape_length(body, "length", false)?))
+        Some(times(section?.area, self.shape_length(body, "length", false)?))
     }
 
     /// `coupler.bending[0]`: the mode, and whether its rate is meant; nothing where it is no mode.
     pub(super) fn mode(&mut self, body: BodyId, path: &Path) -> Option<Result<(Coordinate, bool), ()>> {
         let word = path.parts[1].text.as_str();
         let base = word.split('[').next().unwrap_or(word);
-        let is_way = Way::ALL.iter().any(|way| way.word() == base);
+        let space = self.definition.space;
+        let is_way = Way::of(space).iter().any(|way| way.word(space) == base);
         if !self.definition.bodies[body.0].form.bends || !is_way {
             return None;
         }
-        let counts = self.definition.bodies[body.0].beam.counts();
-        let Counts { axial, bending, .. } = counts;
-        let names =
-            (0..axial).map(|k| format!("axial[{k}]")).chain((0..bending).map(|k| format!("bending[{k}]")));
+        let counts = self.definition.bodies[body.0].beam.counts(space);
+        let names = Way::of(space).iter().flat_map(|way| {
+            let word = way.word(space);
+            (0..counts.of(*way)).map(move |k| format!("{word}[{k}]"))
+        });
         let mode = names.enumerate().find(|(_, name)| name == word).map(|(mode, _)| mode);
         let rest: Vec<&str> = path.parts[2..].iter().map(|part| part.text.as_str()).collect();
         let (Some(mode), [] | ["rate"]) = (mode, rest.as_slice()) else {
-            let message = messages::modes_of_beam(&path.parts[0].text, &path.text, counts);
+            let message = messages::modes_of_beam(&path.parts[0].text, &path.text, counts, space);
             self.diagnostics.error(path.region, message);
             return Some(Err(()));
         };
         Some(Ok((Coordinate::Mode(body, mode), !rest.is_empty())))
+    }
+
+    /// `frequency(coupler.bending[0]) >= 200 [Hz]`
+    pub(super) fn frequency(
+        &mut self,
+        path: &'d Path,
+        side: Side,
+        bound: &syntax::Term,
+    ) -> Option<Frequency> {
+        let Coordinate::Mode(body, mode) = self.coordinate(path, "have a frequency")? else {
+            self.diagnostics.error(path.region, messages::no_mode(&path.text));
+            return None;
+        };
+        let entry = syntax::Entry::bare(bound.clone());
+        let hertz = self.number(&entry, Dimension::ONE.over(Dimension::TIME), "frequency")?;
+        Some(Frequency { body, mode, side, bound: hertz, span: path.region.to(bound.region) })
     }
 
     /// Whether a place there moves as a beam deforms.
@@ -316,7 +376,7 @@ impl<'d> Lowering<'d> {
     /// What joints with beams cannot do.
     pub(super) fn joint_of_beam(&mut self, joint: &'d syntax::Joint, lowered: &Joint) -> Option<()> {
         let form = lowered.form;
-        let takes_axes = !form.travels.is_empty();
+        let takes_axes = self.definition.space == Space::Planar && !form.travels.is_empty();
         if self.bends(lowered.first.frame) && takes_axes {
             let (name, kind) = (&joint.name.text, form.call.word);
             let message = messages::beam_first(name, kind, &lowered.first.text);

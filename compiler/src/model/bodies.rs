@@ -43,7 +43,7 @@ impl<'d> Lowering<'d> {
         let (points, lines) = (self.named_points(index, body)?, self.named_lines(index, body)?);
         let dimensions = self.dimensions(body)?;
         let toothings = self.toothings(index, body)?;
-        Some(Body {
+        let mut lowered = Body {
             dimensions,
             name: name(&body.name),
             form: body.form,
@@ -57,7 +57,9 @@ impl<'d> Lowering<'d> {
             lines,
             toothings,
             beam,
-        })
+        };
+        lowered.spin_of_beam();
+        Some(lowered)
     }
 
     /// As written, or by the density of the shape.

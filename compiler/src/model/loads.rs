@@ -74,7 +74,7 @@ impl<'d> Lowering<'d> {
         }
         for (subject, written) in subjects.iter().zip(&load.on) {
             let message = match subject {
-                Subject::Rotor(Rotor::Body(body)) if self.has_mean_direction(*body) => {
+                Subject::Rotor(Rotor::Body(body)) | Subject::Body(body) if self.has_mean_direction(*body) => {
                     messages::torque_on_beam(&self.definition.bodies[body.0].name.text)
                 }
                 Subject::Place(place) if place.of_mean => messages::origin_of_beam(&place.text),

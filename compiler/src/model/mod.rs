@@ -38,6 +38,7 @@ use crate::diagnostics::{Allowed, Region};
 use crate::forms::BodyForm;
 pub use crate::forms::{Alone, JointAxes, JointForm, LoadForm, Space};
 use crate::scalar::Scalar;
+use crate::syntax::Side;
 pub use crate::syntax::{Budgeted, OnDisk, identifier};
 pub use beams::Beam;
 pub use elements::{
@@ -492,6 +493,18 @@ pub struct Expect {
     pub budgets: Vec<Budget>,
     pub motion: MotionExpected,
     pub contact_times: Vec<ContactTime>,
+    pub frequencies: Vec<Frequency>,
+}
+
+/// `frequency(coupler.bending[0]) >= 200 [Hz];`
+#[derive(Clone, Debug)]
+pub struct Frequency {
+    pub body: BodyId,
+    pub mode: usize,
+    pub side: Side,
+    /// Hz.
+    pub bound: f64,
+    pub span: Region,
 }
 
 /// `contact_time(touch) >= 1e-3 [s];`

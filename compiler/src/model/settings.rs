@@ -154,6 +154,9 @@ impl<'d> Lowering<'d> {
                 ExpectEntry::ContactTime(path, time) => {
                     expect.contact_times.extend(self.contact_time(path, time))
                 }
+                ExpectEntry::Frequency(path, side, bound) => {
+                    expect.frequencies.extend(self.frequency(path, *side, bound));
+                }
             }
         }
         self.expectations_twice();

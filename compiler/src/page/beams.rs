@@ -54,7 +54,7 @@ fn picture(mode: &Mode, title: &str) -> String {
     let shape = |k: usize, count: usize| at(mode, k, count) / largest;
     let along = |k: usize, count: usize| LENGTH * k as f64 / count as f64;
     let drawn = match mode.way {
-        Way::Bending => {
+        Way::Bending | Way::BendingZ => {
             let place =
                 |k: usize| format!("{} {}", number(along(k, PLACES)), number(-DEFLECTION * shape(k, PLACES)));
             format!("M{}", (0..=PLACES).map(place).collect::<Vec<_>>().join("L"))

@@ -166,9 +166,9 @@ impl<'a> Stand<'a> {
 
     /// Where a place of a beam's axis is shown.
     fn on_axis(&self, body: usize, bent: &Bent, x: f64) -> Point {
-        let [x, y] = bent.bow.shown(x, &bent.modes, self.times);
+        let at = bent.bow.shown(x, &bent.modes, self.times);
         let (origin, axes) = &self.poses[body];
-        sum(*origin, apply(axes, [x, y, 0.0]))
+        sum(*origin, apply(axes, at))
     }
 
     /// A direction in the axes of a place.

@@ -5,9 +5,9 @@ use super::machine::Machine;
 use super::quantity::{Along, Quantity};
 use super::{Check, Report};
 use crate::beams::Rule;
-use crate::equations::{Laws, Linear, plane};
+use crate::equations::{Laws, Linear, plane, space};
 use crate::functions::Function;
-use crate::model::{Expr, Load, Quantity as Quantity_, value_at};
+use crate::model::{Expr, Load, Quantity as Quantity_, Space, value_at};
 use crate::schedule::{Inputs, sources};
 use crate::symbolic::{Scalar, evaluate_reachable};
 
@@ -22,7 +22,11 @@ pub fn kinetic_energy(machine: &Machine, report: &mut Report) {
         return;
     }
     let inputs = report.inputs;
-    let sum = value(machine, inputs, |laws| plane::kinetic_energy_of_slices(laws, &Rule::new(SLICES)));
+    let rule = Rule::new(SLICES);
+    let sum = match machine.compiled.mechanism.space {
+        Space::Planar => value(machine, inputs, |laws| plane::kinetic_energy_of_slices(laws, &rule)),
+        Space::Spatial => value(machine, inputs, |laws| space::kinetic_energy_of_slices(laws, &rule)),
+    };
     // A sum of squares.
     let expected = Quantity { value: sum, margin: 1e-11 * sum };
     let found = machine.run(Function::KineticEnergy, inputs)[0];
@@ -30,10 +34,16 @@ pub fn kinetic_energy(machine: &Machine, report: &mut Report) {
 }
 
 /// What of Q is quadratic in v against Lagrange's equations, d(M v)/dt − ∂T/∂q at v̇ = 0. Modes that ride on one frame exert gyroscopic
-/// forces on one another that do no work, so that no balance of energies sees them.
+/// forces on one another that do no work, so that no balance of energies sees them. Velocities of what turns on a ball are no derivatives of
+/// coordinates, for which Lagrange's equations would have further terms; in the coordinates of a tree the same laws stand without.
 pub fn gyroscopic_forces(machine: &Machine, report: &mut Report) {
     let mechanism = &machine.compiled.mechanism;
-    if !has_beams(machine) || !stands_still(machine) || mechanism.loads.iter().any(may_be_quadratic) {
+    let holonomic = machine.compiled.complete.equations.layout.quaternions.is_empty();
+    if !has_beams(machine)
+        || !holonomic
+        || !stands_still(machine)
+        || mechanism.loads.iter().any(may_be_quadratic)
+    {
         return;
     }
     let rest = vec![0.0; report.inputs.v.len()];

@@ -1,11 +1,12 @@
-//! What a beam has in its braces beside values: `section = circle(diameter [mm] = 7); modes = (axial = 2, bending = 5); shapes = free;`.
+//! What a beam has in its braces beside values: `section = circle(diameter [mm] = 7); modes = (axial = 2, bending = 5); shapes = free;`,
+//! in space `modes = (bending_y = 2, bending_z = 2);`.
 
-use super::definition::{Body, ModesTerm, SectionTerm};
+use super::definition::{Body, ExpectEntry, ModesTerm, SectionTerm, Side};
 use super::parser::{Failed, Parsed, Parser};
 use super::token::Cursor;
 use crate::beams::{Counts, MOST_MODES, Shapes, Way};
 use crate::diagnostics::Region;
-use crate::forms::SECTIONS;
+use crate::forms::{SECTIONS, Space};
 use crate::messages;
 use proc_macro2::Delimiter;
 
@@ -14,7 +15,7 @@ pub(super) const WORDS: [&str; 5] = ["section", "modes", "shapes", "theory", "st
 
 impl Parser<'_> {
     /// One of [`WORDS`] and what follows it.
-    pub fn of_beam(&mut self, c: &mut Cursor, body: &mut Body) -> Parsed<()> {
+    pub fn of_beam(&mut self, c: &mut Cursor, body: &mut Body, space: Space) -> Parsed<()> {
         let label = self.word(c, "a property")?;
         self.punct(c, '=')?;
         let (name, beam) = (body.name.text.clone(), &mut body.beam);
@@ -31,8 +32,8 @@ impl Parser<'_> {
             return Err(Failed);
         }
         match label.text.as_str() {
-            "section" => beam.section = Some(self.section(c)?),
-            "modes" => beam.modes = Some(self.modes(c)?),
+            "section" => beam.section = Some(self.section(c, space)?),
+            "modes" => beam.modes = Some(self.modes(c, space)?),
             "shapes" => {
                 let word = self.word(c, "`free`, `clamped`, `pinned` or `static`")?;
                 match Shapes::ALL.into_iter().find(|shapes| shapes.word() == word.text) {
@@ -54,6 +55,26 @@ impl Parser<'_> {
         self.semicolon(c)
     }
 
+    /// `(coupler.bending[0]) >= 200 [Hz]` after the word `frequency`.
+    pub(super) fn frequency(&mut self, c: &mut Cursor) -> Parsed<ExpectEntry> {
+        let mut inside = self.group(c, Delimiter::Parenthesis)?;
+        let mode = self.path(&mut inside, "a mode, such as `coupler.bending[0]`")?;
+        self.end(&inside, "`)`")?;
+        let side = if c.at_puncts('>', '=') {
+            Side::Above
+        } else if c.at_puncts('<', '=') {
+            Side::Below
+        } else {
+            return self.expected(
+                c,
+                "`>=` or `<=` and a frequency, such as `frequency(coupler.bending[0]) >= 200 [Hz]`",
+            );
+        };
+        c.advance();
+        c.advance();
+        Ok(ExpectEntry::Frequency(mode, side, self.expression(c)?))
+    }
+
     /// Has one value so far.
     fn theory(&mut self, c: &mut Cursor) -> Parsed<()> {
         const ONLY: &str = "euler_bernoulli";
@@ -64,10 +85,10 @@ impl Parser<'_> {
         self.fail(word.region, messages::beam_not_yet("theory", &word.text, ONLY))
     }
 
-    fn section(&mut self, c: &mut Cursor) -> Parsed<SectionTerm> {
+    fn section(&mut self, c: &mut Cursor, space: Space) -> Parsed<SectionTerm> {
         let kind = self.word(c, "`circle(…)`, `tube(…)` or `rectangle(…)`")?;
         let Some((_, lengths)) = SECTIONS.iter().find(|(word, _)| *word == kind.text) else {
-            return self.fail(kind.region, messages::unknown_section(&kind.text));
+            return self.fail(kind.region, messages::unknown_section(&kind.text, space));
         };
         let mut inside = self.group(c, Delimiter::Parenthesis)?;
         let mut found = Vec::new();
@@ -93,17 +114,18 @@ impl Parser<'_> {
         Ok(SectionTerm { kind, lengths: found })
     }
 
-    fn modes(&mut self, c: &mut Cursor) -> Parsed<ModesTerm> {
+    fn modes(&mut self, c: &mut Cursor, space: Space) -> Parsed<ModesTerm> {
         let Some(whole) = c.inside(Delimiter::Parenthesis).map(|inside| inside.whole()) else {
-            return self.expected(c, "`(bending = 3)`, or `(axial = 1, bending = 3)`");
+            return self.expected(c, messages::example_of_modes(space));
         };
         let mut inside = self.group(c, Delimiter::Parenthesis)?;
-        let (mut counts, mut quadratic): ([Option<usize>; 2], bool) = ([None, None], false);
+        let (mut counts, mut quadratic): ([Option<usize>; 3], bool) = ([None; 3], false);
         while !inside.is_done() {
-            let label = self.word(&mut inside, "`axial` or `bending`")?;
-            let Some(which) = Way::ALL.iter().position(|way| way.word() == label.text) else {
-                return self.fail(label.region, messages::unknown_modes(&label.text));
+            let label = self.word(&mut inside, "a kind of modes")?;
+            let Some(way) = Way::of(space).iter().find(|way| way.word(space) == label.text) else {
+                return self.fail(label.region, messages::unknown_modes(&label.text, space));
             };
+            let which = way.axis();
             if counts[which].is_some() {
                 return self.fail(label.region, messages::property_twice(&label.text, "modes"));
             }
@@ -123,11 +145,11 @@ impl Parser<'_> {
                 return self.expected(&inside, "`,` or `)`");
             }
         }
-        let [axial, bending] = counts.map(|count| count.unwrap_or(0));
-        if axial + bending == 0 {
-            return self.fail(whole, messages::no_modes());
+        let [axial, bending, bending_z] = counts.map(|count| count.unwrap_or(0));
+        if axial + bending + bending_z == 0 {
+            return self.fail(whole, messages::no_modes(space));
         }
-        Ok(ModesTerm { counts: Counts { axial, bending, quadratic }, region: whole })
+        Ok(ModesTerm { counts: Counts { axial, bending, bending_z, quadratic }, region: whole })
     }
 
     fn modes_of(&mut self, count: i64, kind: &str, region: Region) -> Parsed<usize> {

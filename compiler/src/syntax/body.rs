@@ -59,7 +59,7 @@ impl Parser<'_> {
         let (form, space) = (body.form, self.definition.space);
         let (allowed, vectors) = (form.properties(space), form.vectors(space));
         match c.word() {
-            Some(word) if form.bends && super::beam::WORDS.contains(&word) => self.of_beam(c, body),
+            Some(word) if form.bends && super::beam::WORDS.contains(&word) => self.of_beam(c, body, space),
             Some("line") if form.bends => self.fail(c.region(), messages::line_on_beam(&body.name.text)),
             Some("point" | "line" | "marker") if !form.turns => {
                 self.fail(c.region(), messages::particle_with_places(&body.name.text))
@@ -87,6 +87,9 @@ impl Parser<'_> {
                 let line = self.line(c)?;
                 body.lines.push(line);
                 Ok(())
+            }
+            Some("marker") if form.bends && space == Space::Spatial => {
+                self.fail(c.region(), messages::marker_on_beam(&body.name.text))
             }
             Some("marker") => {
                 c.advance();

@@ -139,9 +139,11 @@ pub struct BeamTerm {
 }
 
 impl BeamTerm {
-    /// Three in bending where nothing is written, because axial ones are far too fast for most integrators.
-    pub fn counts(&self) -> Counts {
-        self.modes.as_ref().map_or(Counts { axial: 0, bending: 3, quadratic: false }, |modes| modes.counts)
+    /// Three in bending each way where nothing is written, because axial ones are far too fast for most integrators.
+    pub fn counts(&self, space: Space) -> Counts {
+        let bending_z = if space == Space::Spatial { 3 } else { 0 };
+        let unwritten = Counts { axial: 0, bending: 3, bending_z, quadratic: false };
+        self.modes.as_ref().map_or(unwritten, |modes| modes.counts)
     }
 
     pub fn shapes(&self) -> Shapes {
@@ -400,6 +402,15 @@ pub enum ExpectEntry {
     Within(Path, RangeTerm),
     /// A blow of a contact that takes at least so long.
     ContactTime(Path, Term),
+    /// A mode of a beam whose frequency by itself is on one side of a bound.
+    Frequency(Path, Side, Term),
+}
+
+/// Of a bound.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    Above,
+    Below,
 }
 
 /// `10..170 [deg]`

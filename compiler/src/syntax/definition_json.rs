@@ -2,7 +2,7 @@
 //! exporters rebuild the mechanism from it without this compiler.
 
 use super::definition::*;
-use crate::beams::Counts;
+use crate::beams::Way;
 use crate::forms::{Argument, Interpolation, Outside, Value};
 
 /// The definition as one line of JSON.
@@ -293,7 +293,7 @@ impl Writer {
             }
         });
         if body.form.bends {
-            self.key("beam").object(|w| w.beam(&body.beam));
+            self.key("beam").object(|w| w.beam(&body.beam, space));
         }
         if space == Space::Spatial {
             self.key("vectors").object(|w| {
@@ -332,16 +332,18 @@ impl Writer {
     }
 
     /// Numbers of modes and the shapes stand here where they were not written too.
-    fn beam(&mut self, beam: &BeamTerm) {
+    fn beam(&mut self, beam: &BeamTerm, space: Space) {
         self.key("section").optional(beam.section.as_ref(), |w, section| {
             w.object(|w| {
                 w.key("kind").string(&section.kind.text);
                 section.lengths.iter().for_each(|(label, entry)| w.key(&label.text).entry(entry));
             });
         });
-        let Counts { axial, bending, quadratic } = beam.counts();
-        self.key("axial").raw(&axial.to_string());
-        self.key("bending").raw(&bending.to_string());
+        let counts = beam.counts(space);
+        for way in Way::of(space) {
+            self.key(way.word(space)).raw(&counts.of(*way).to_string());
+        }
+        let quadratic = counts.quadratic;
         if quadratic {
             self.key("quadratic").raw("true");
         }

@@ -151,8 +151,15 @@ impl Parser<'_> {
     /// `{ degrees_of_freedom = 1; operations <= 400; live_values(mass_matrix) <= 40; rotates = crank_pin; no_singularity;
     /// knee.angle in 10..170 [deg]; }`
     pub fn expect(&mut self, c: &mut Cursor) -> Parsed<()> {
-        const KNOWN: [&str; 6] =
-            ["degrees_of_freedom", "operations", "live_values", "rotates", "no_singularity", "contact_time"];
+        const KNOWN: [&str; 7] = [
+            "degrees_of_freedom",
+            "operations",
+            "live_values",
+            "rotates",
+            "no_singularity",
+            "contact_time",
+            "frequency",
+        ];
         self.block(c, |parser, c| {
             if is_dotted(c) {
                 let entry = parser.within(c)?;
@@ -160,7 +167,7 @@ impl Parser<'_> {
                 parser.definition.expect.push(entry);
                 return Ok(());
             }
-            let known = "`degrees_of_freedom`, `operations`, `live_values`, `rotates`, `no_singularity` or `contact_time`";
+            let known = "`degrees_of_freedom`, `operations`, `live_values`, `rotates`, `no_singularity`, `contact_time` or `frequency`";
             let fact = parser.word(c, known)?;
             if let Some(of) = Budgeted::ALL.into_iter().find(|of| of.word() == fact.text) {
                 let budget = parser.budget(c, of, fact.region)?;
@@ -180,6 +187,7 @@ impl Parser<'_> {
                     ExpectEntry::DegreesOfFreedom(count, fact.region.to(end))
                 }
                 "contact_time" => parser.contact_time(c)?,
+                "frequency" => parser.frequency(c)?,
                 word => return parser.fail(fact.region, messages::unknown_expectation(word, &KNOWN)),
             };
             parser.semicolon(c)?;

@@ -18,7 +18,7 @@ use super::{Slip, pressed};
 use crate::equations::jet::Moving;
 use crate::equations::laws::Laws;
 use crate::forms::Bearing;
-use crate::model::{Frame, Joint, JointId, Load, Rotor, Space};
+use crate::model::{Frame, Joint, JointId, Load, Place, Rotor, Space};
 use crate::symbolic::Scalar;
 
 /// The components of each of the forces whose sizes together are N.
@@ -51,15 +51,11 @@ pub(super) fn slips<'g>(laws: &Laws<'g>, load: &Load) -> Vec<Slip<'g>> {
 
 /// Quantities whose rates are ω of the second body less that of the first, along the axes of the world.
 fn relative_turn<'g>(laws: &Laws<'g>, joint: &Joint) -> Vec<Moving<'g>> {
-    let turning = |frame: Frame| match frame {
-        Frame::Body(body) => laws.kinematics().turning(body),
+    let turning = |place: &Place| match place.frame {
+        Frame::Body(_) => laws.kinematics().turning_at(laws, place),
         Frame::Ground => vec![laws.still(laws.g.zero()); 3],
     };
-    turning(joint.second.frame)
-        .into_iter()
-        .zip(turning(joint.first.frame))
-        .map(|(two, one)| two - one)
-        .collect()
+    turning(&joint.second).into_iter().zip(turning(&joint.first)).map(|(two, one)| two - one).collect()
 }
 
 /// The forces that press, of what the joint exerts on its second body: force, then torque, along the axes of the world.

@@ -14,11 +14,12 @@ use super::inertia::{Factor, Massive, Sums};
 use super::kinematics::{FrameId, Kinematics, LocalVector};
 use super::vector::{self, Pair};
 use crate::beams::{Slender, Way};
+use crate::equations::elastic::{damping, stiffness};
 use crate::equations::jet::{Jet, Moving};
 use crate::equations::laws::Laws;
 use crate::model::{Beam, BodyId, Frame, Place};
 use crate::symbolic::{Node, On, Scalar, Sheet};
-use means::Means;
+use means::Integrals;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -45,7 +46,7 @@ pub enum ModalMotion {
     Given(Node),
 }
 
-/// Σ φ_i w_i in the axes of one frame, by the index of φ in [`Means`].
+/// Σ φ_i w_i in the axes of one frame, by the index of φ in [`Means`](crate::equations::means::Means).
 #[derive(Clone, Debug, Default)]
 pub struct Field {
     parts: Vec<(usize, Pair)>,
@@ -119,7 +120,7 @@ struct Spread<'b, 'g> {
     frame: FrameId,
     /// (cos, sin) of its axes within that frame.
     offset: On<'g, Pair>,
-    means: Means<'g>,
+    means: Integrals<'g>,
 }
 
 impl<'b, 'g> Spread<'b, 'g> {
@@ -128,7 +129,7 @@ impl<'b, 'g> Spread<'b, 'g> {
         for (body, placement) in bodies.iter().zip(&kinematics.bare.bodies) {
             if let Some(flexible) = &placement.flexible {
                 let offset = kinematics.g.on(placement.offset);
-                let means = Means::new(kinematics.g, flexible);
+                let means = Integrals::new(kinematics.g, flexible);
                 spread.push(Spread { body, flexible, frame: placement.frame, offset, means });
             }
         }
@@ -310,22 +311,6 @@ pub(super) fn elastic_forces<'g>(laws: &Laws<'g>) -> Vec<(usize, Scalar<'g>)> {
         }
     }
     forces
-}
-
-/// K of a mode, N/m.
-fn stiffness<'g>(laws: &Laws<'g>, beam: &Beam, mode: usize) -> Scalar<'g> {
-    let mode = &beam.slender.modes[mode];
-    mode.stiffness * laws.value(beam.rigidity(mode.way))
-}
-
-/// C of a mode, N s/m: 2 ζ √(K M).
-fn damping<'g>(laws: &Laws<'g>, body: BodyId, beam: &Beam, mode: usize) -> Scalar<'g> {
-    let ratio = laws.value(&beam.damping_ratio);
-    if ratio.is_zero() {
-        return ratio;
-    }
-    let mass = beam.slender.second[mode + 1][mode + 1] * laws.value(&laws.mechanism.bodies[body.0].mass);
-    2.0 * (ratio * (stiffness(laws, beam, mode) * mass).sqrt())
 }
 
 /// m a of the whole beam and its moment about the frame's origin, less what it is with all mass at the origin; `gravity` in world axes.

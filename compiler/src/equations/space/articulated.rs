@@ -148,9 +148,9 @@ impl<'g> Articulated<'g> {
     fn in_parent(self, link: On<'g, &Link>) -> Self {
         let g = link.g;
         let turned = match &link.bare.motion {
-            Motion::None | Motion::Slide { .. } => self,
+            Motion::None | Motion::Slide { .. } | Motion::Shift { .. } => self,
             Motion::Turn { cos, sin, .. } => self.turned_about_z(g.on(*cos), g.on(*sin)),
-            Motion::Ball { matrix, .. } => self.turned(g.on(*matrix)),
+            Motion::Ball { matrix, .. } | Motion::Lean { matrix, .. } => self.turned(g.on(*matrix)),
         };
         turned.turned(g.on(link.bare.axes)).shifted(link.offset())
     }
@@ -209,8 +209,11 @@ struct Step<'g> {
     rest: Scalar<'g>,
 }
 
-/// Whether every velocity moves one link only: those of a screw move two.
+/// Whether every velocity moves one link only: those of a screw move two, and those of beams more than links.
 pub fn applies(kinematics: &Kinematics) -> bool {
+    if kinematics.bodies.iter().any(|body| body.flexible.is_some()) {
+        return false;
+    }
     let moved: usize = kinematics.links.iter().map(Link::freedoms).sum();
     moved == kinematics.velocities.len()
 }
@@ -291,7 +294,7 @@ fn axes<'g>(link: On<'g, &Link>) -> Vec<(usize, SpatialVector<'g>)> {
     for (velocity, axis) in link.turning() {
         found.push((velocity, SpatialVector { angular: axis, linear: none }));
     }
-    if let Some((velocity, axis)) = link.sliding() {
+    for (velocity, axis) in link.sliding() {
         found.push((velocity, SpatialVector { angular: none, linear: axis }));
     }
     found

@@ -4,12 +4,13 @@
 //! multipliers and efforts into forces on it, by virtual work. The reactions of joints that carry bodies follow from the
 //! Newton–Euler equations of the bodies, from the leaves of the tree inwards.
 
-use super::dynamics::{self, inertia_in_body};
+use super::dynamics::{self, LinkMotion, inertia_in_body};
+use super::flexible::{Flexible, Spread};
 use super::kinematics::Kinematics;
 use super::links::{GROUND, Link, Motion, Placement};
 use super::vector::{self, Mat3, Vec3};
 use crate::equations::{BodyMotion, Consequences, Jet, Laws, Row, RowOfJoint, SpanningTree, loads};
-use crate::model::Frame;
+use crate::model::{BodyId, Frame};
 use crate::symbolic::{Node, On, Scalar};
 use std::collections::BTreeMap;
 
@@ -50,7 +51,7 @@ pub fn consequences(
     let absolute = laws.of(&overlay);
     let absolute_rows =
         crate::equations::rows::rows(&absolute, tree, &tree.carrying(laws.mechanism), dropped);
-    let reactions = reactions(&absolute, tree, &moving, rows, lambda, &absolute_rows);
+    let reactions = reactions(laws, &absolute, tree, &moving, rows, lambda, &absolute_rows);
     Consequences { motions: moving.iter().map(Moving::flat).collect(), reactions }
 }
 
@@ -113,10 +114,13 @@ fn overlay<'g>(laws: &Laws<'g>, motions: &[Moving<'g>]) -> Kinematics {
         angles: BTreeMap::new(),
         travels: BTreeMap::new(),
         balls: BTreeMap::new(),
+        sections: BTreeMap::new(),
     };
-    for (index, (motion, body)) in motions.iter().zip(&laws.mechanism.bodies).enumerate() {
+    for motion in motions {
         overlay.velocities.extend(motion.velocity.bare);
         overlay.velocities.extend(motion.omega.bare);
+    }
+    for (index, (motion, body)) in motions.iter().zip(&laws.mechanism.bodies).enumerate() {
         let mut last = GROUND;
         let mut push = |motion: Motion| {
             overlay.links.push(Link { motion, ..Link::still(g, last) });
@@ -130,13 +134,28 @@ fn overlay<'g>(laws: &Laws<'g>, motions: &[Moving<'g>]) -> Kinematics {
             push(Motion::Ball { matrix: motion.axes.bare, rate: FREEDOMS * index + 3 });
         }
         let at = (-laws.vector(&body.center)).bare;
-        overlay.bodies.push(Placement { link: last, at, axes: identity });
+        let flexible = flexible_behind(laws, index, &mut overlay.velocities);
+        let placement = Placement { link: last, at, axes: identity, flexible };
+        overlay.add_sections(g, laws.mechanism, BodyId(index), &placement);
+        overlay.bodies.push(placement);
     }
     overlay
 }
 
+/// The modes of a beam with velocities of their own, behind those of the bodies.
+fn flexible_behind(laws: &Laws, body: usize, velocities: &mut Vec<Node>) -> Option<Flexible> {
+    let own = laws.space()?.bare;
+    let mut flexible = own.bodies[body].flexible.clone()?;
+    for modal in &mut flexible.modes {
+        velocities.push(own.velocities[modal.velocity]);
+        modal.velocity = velocities.len() - 1;
+    }
+    Some(flexible)
+}
+
 /// Force and torque that each joint exerts on its second place's body, world axes, about the second place.
 fn reactions<'g>(
+    laws: &Laws<'g>,
     absolute: &Laws<'g>,
     tree: &SpanningTree,
     motions: &[Moving<'g>],
@@ -162,7 +181,7 @@ fn reactions<'g>(
     }
 
     // What each body needs from the joint it hangs on: m a − applied + what its children need.
-    let mut needed = inertia_less_applied(absolute, motions, absolute_rows, multipliers);
+    let mut needed = inertia_less_applied(laws, absolute, motions, absolute_rows, multipliers);
     for attachment in tree.attachments.iter().rev() {
         let Some((joint, parent)) = attachment.joint else { continue };
         let child = attachment.body.0;
@@ -213,8 +232,31 @@ impl<'g> Load<'g> {
     }
 }
 
+/// m a of a beam less its weight, and what that has about the origin of its frame.
+fn inertia_of_beam<'g>(
+    laws: &Laws<'g>,
+    index: usize,
+    motion: &Moving<'g>,
+    gravity: Option<On<'g, Vec3>>,
+) -> Option<Load<'g>> {
+    let (g, kinematics) = (laws.g, laws.space()?);
+    let flexible = kinematics.bare.bodies[index].flexible.as_ref()?;
+    let body = &laws.mechanism.bodies[index];
+    let mass = laws.value(&body.mass);
+    let spin = mass * laws.value(&body.beam.as_ref()?.spin);
+    let frame = Placement::of_ground(g);
+    let beam = Spread::new(kinematics, &frame, flexible, mass, spin);
+    let acceleration = gravity.map_or(motion.acceleration, |gravity| motion.acceleration - gravity);
+    let back = motion.axes.transposed();
+    let moved = LinkMotion::new(motion.omega, motion.alpha, back * motion.velocity, back * acceleration);
+    let rigid = dynamics::needed(beam.distribution(), &moved);
+    let [moment, force] = beam.beyond(&moved, Some(&laws.symbols.acceleration));
+    Some(Load { force: motion.axes * (rigid.force + force), moment: motion.axes * (rigid.moment + moment) })
+}
+
 /// m a and J α + ω × J ω, less loads, gravity and the forces of the multipliers, per body.
 fn inertia_less_applied<'g>(
+    laws: &Laws<'g>,
     absolute: &Laws<'g>,
     motions: &[Moving<'g>],
     rows: &[Row],
@@ -223,8 +265,12 @@ fn inertia_less_applied<'g>(
     let (g, mechanism) = (absolute.g, absolute.mechanism);
     let gravity = mechanism.gravity.as_ref().map(|gravity| absolute.vector(gravity));
     let mut needed = Vec::new();
-    for (body, motion) in mechanism.bodies.iter().zip(motions) {
+    for (index, (body, motion)) in mechanism.bodies.iter().zip(motions).enumerate() {
         let mass = absolute.value(&body.mass);
+        if let Some(load) = inertia_of_beam(laws, index, motion, gravity) {
+            needed.push(load);
+            continue;
+        }
         let acceleration = gravity.map_or(motion.acceleration, |gravity| motion.acceleration - gravity);
         let moment = if body.form.turns {
             let tensor = inertia_in_body(absolute, &body.inertia).bare;

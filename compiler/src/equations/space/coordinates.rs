@@ -1,13 +1,14 @@
 //! The coordinates of a spatial mechanism and where they put its bodies: every joint of the tree as a chain of links.
 
 use super::axes;
+use super::flexible::{Flexible, Modal};
 use super::joints::{self, Elementary};
 use super::kinematics::Kinematics;
 use super::links::{GROUND, Link, LinkId, Motion, Placement};
 use super::vector::{self, Mat3, Vec3};
 use crate::equations::coordinates::{Ball, Layout, Linear, MultiTurn, Rotation, Symbols, symbols};
 use crate::equations::{Attachment, Laws, SpanningTree};
-use crate::model::{BodyId, Frame, JointId, Mechanism, Place, Rotor, fold};
+use crate::model::{BodyId, Expr, Frame, JointId, Mechanism, Place, Rotor, fold};
 use crate::symbolic::{Growing, On, Scalar, Sheet};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -32,6 +33,7 @@ pub fn coordinates(
             angles: BTreeMap::new(),
             travels: BTreeMap::new(),
             balls: BTreeMap::new(),
+            sections: BTreeMap::new(),
         },
     };
     let mut placements: Vec<Option<Placement>> = vec![None; mechanism.bodies.len()];
@@ -46,6 +48,7 @@ pub fn coordinates(
                 builder.attach(*joint, *body, parent)
             }
         };
+        builder.kinematics.add_sections(g, mechanism, *body, &placement);
         placements[body.0] = Some(placement);
     }
     let mut kinematics = builder.kinematics;
@@ -57,9 +60,12 @@ pub fn coordinates(
 fn layout(mechanism: &Mechanism, tree: &SpanningTree) -> Layout {
     let mut layout = Layout::default();
     for Attachment { body, joint } in &tree.attachments {
-        let turns = mechanism.bodies[body.0].form.turns;
+        let definition = &mechanism.bodies[body.0];
+        let turns = definition.form.turns;
+        let modes = definition.beam.as_ref().map_or(0, |beam| beam.slender.modes.len());
         let Some((id, _)) = joint else {
             layout.linear.extend((0..3).map(|axis| Linear::Center(*body, axis)));
+            layout.linear.extend((0..modes).map(|mode| Linear::Mode(*body, mode)));
             if turns {
                 layout.quaternions.push(Ball::Body(*body));
             }
@@ -73,6 +79,7 @@ fn layout(mechanism: &Mechanism, tree: &SpanningTree) -> Layout {
                 Elementary::Ball | Elementary::Wind => {}
             }
         }
+        layout.linear.extend((0..modes).map(|mode| Linear::Mode(*body, mode)));
     }
     layout
 }
@@ -103,6 +110,10 @@ fn counted(mechanism: &Mechanism, layout: &Layout, rotor: Rotor) -> MultiTurn {
 /// The unit vector of a joint's axis in the body of one of its places, if it is known at expansion.
 pub fn constant_axis(mechanism: &Mechanism, joint: &crate::model::Joint, place: &Place) -> Option<[f64; 3]> {
     let axis = joint.common_axis()?;
+    // The section of a beam turns within its body.
+    if !mechanism.keeps_direction(place) {
+        return None;
+    }
     // Known without parameters.
     let known = axis.iter().all(|component| fold::evaluate(component, &[]).is_some());
     if !known {
@@ -134,16 +145,11 @@ struct Cursor<'g> {
 }
 
 impl<'a> Builder<'a> {
-    fn push(&mut self, link: Link) -> LinkId {
-        self.kinematics.links.push(link);
-        self.kinematics.links.len() - 1
-    }
-
     /// One more link at the cursor; the chain goes on from its origin.
     fn link(&mut self, cursor: Cursor<'a>, motion: Motion) -> Cursor<'a> {
         let g = self.laws.g;
         let foot = Link { at: cursor.at.bare, axes: cursor.axes.bare, ..Link::still(g, cursor.link) };
-        let link = self.push(Link { motion, ..foot });
+        let link = self.kinematics.push(Link { motion, ..foot });
         Cursor { link, at: vector::zero(g), axes: vector::identity(g) }
     }
 
@@ -173,7 +179,17 @@ impl<'a> Builder<'a> {
             cursor = self.link(cursor, motion);
         }
         let center = self.laws.vector(&self.laws.mechanism.bodies[body.0].center);
-        Placement { link: cursor.link, at: (-center).bare, axes: identity.bare }
+        let flexible = self.flexible(body);
+        Placement { link: cursor.link, at: (-center).bare, axes: identity.bare, flexible }
+    }
+
+    /// The modes of a beam, whose coordinates stand side by side.
+    fn flexible(&self, body: BodyId) -> Option<Flexible> {
+        let beam = self.laws.mechanism.bodies[body.0].beam.as_ref()?;
+        let first = self.layout.linear.iter().position(|own| *own == Linear::Mode(body, 0))?;
+        let modal = |velocity: usize| Modal { value: self.q(velocity).bare, velocity };
+        let modes = (first..first + beam.slender.modes.len()).map(modal).collect();
+        Some(Flexible { slender: beam.slender.clone(), modes })
     }
 
     /// A body on the joint that carries it; `parent` is `None` for the ground.
@@ -193,15 +209,18 @@ impl<'a> Builder<'a> {
                 let mut foot = Link::still(g, GROUND);
                 foot.at_place(&laws.ground(&near.at));
                 if foot.is_carried_by_time(g) {
-                    Cursor { link: self.push(foot), at: vector::zero(g), axes: near_axes }
+                    Cursor { link: self.kinematics.push(foot), at: vector::zero(g), axes: near_axes }
                 } else {
                     Cursor { link: GROUND, at: g.on(foot.at), axes: near_axes }
                 }
             }
-            Some(parent) => {
-                let at = g.on(parent).point(laws.vector(&near.at));
-                Cursor { link: parent.link, at, axes: g.on(parent.axes) * near_axes }
-            }
+            Some(parent) => match self.section(near) {
+                Some(link) => Cursor { link, at: vector::zero(g), axes: near_axes },
+                None => {
+                    let at = g.on(parent).point(laws.vector(&near.at));
+                    Cursor { link: parent.link, at, axes: g.on(parent.axes) * near_axes }
+                }
+            },
         };
 
         // Its motions, from the near place to the far one.
@@ -241,7 +260,30 @@ impl<'a> Builder<'a> {
         let axes = cursor.axes * far_axes.transposed();
         let at = laws.vector(&far.at);
         let at = if particle { laws.vector(&mechanism.bodies[child.0].center) } else { at };
-        Placement { link: cursor.link, at: (cursor.at - axes * at).bare, axes: axes.bare }
+        let flexible = self.flexible(child);
+        if let (Some(flexible), Expr::Number(x)) = (&flexible, &far.at[0]) {
+            cursor.axes = axes;
+            cursor = self.back_from_section(cursor, flexible, *x);
+        }
+        let axes = if flexible.is_some() { cursor.axes } else { axes };
+        Placement { link: cursor.link, at: (cursor.at - axes * at).bare, axes: axes.bare, flexible }
+    }
+
+    /// From a section of a beam to where the place would be if the beam were straight.
+    fn back_from_section(&mut self, mut cursor: Cursor<'a>, flexible: &Flexible, x: f64) -> Cursor<'a> {
+        let g = self.laws.g;
+        if let Some(motion) = flexible.lean(g, &self.kinematics.velocities, x, -1.0) {
+            cursor = self.link(cursor, motion);
+        }
+        if let Some(motion) = flexible.shift(g, &self.kinematics.velocities, x, -1.0) {
+            cursor = self.link(cursor, motion);
+        }
+        cursor
+    }
+
+    fn section(&self, place: &Place) -> Option<LinkId> {
+        let (Frame::Body(body), Expr::Number(x)) = (place.frame, &place.at[0]) else { return None };
+        self.kinematics.sections.get(&(body.0, x.to_bits())).copied()
     }
 
     /// The motion of one link of a joint, and the joint frame whose z (or axes) it uses; registers its coordinate.

@@ -10,8 +10,9 @@
 //! a disk of moments I_yy; behind a slide, the tensor; behind a ball, the mass.
 
 use super::axes;
+use super::flexible::{self, Spread};
 use super::kinematics::Kinematics;
-use super::links::{GROUND, Link, Motion};
+use super::links::{GROUND, Link, LinkId, Motion};
 use super::tensor::{Distribution, Symmetric};
 use super::vector::{self, Mat3, Vec3, vector};
 use crate::equations::{Dynamics, Laws};
@@ -26,28 +27,66 @@ pub fn dynamics<'g>(laws: &Laws<'g>) -> Dynamics<'g> {
         Some(gravity) => laws.vector(gravity),
         None => vector::zero(g),
     };
-    let distributions = distributions(laws, kinematics.bare);
+    let beams = Spread::all(laws, kinematics);
+    let distributions = distributions(laws, kinematics.bare, &beams, Spread::distribution);
     let regrouped = regrouped(kinematics, &distributions);
     let composite = composite(kinematics, &regrouped);
-    let mass = mass_matrix(kinematics, &composite);
+    let mass = mass_matrix(kinematics, &composite, &beams);
     let upwards = -gravity;
-    let at_rest = motions(kinematics, None, upwards);
-    let bias = newton_euler(kinematics, &regrouped, &at_rest);
-    let forces = bias.iter().map(|force| -*force).collect();
-    let moving = motions(kinematics, Some(&laws.symbols.acceleration), upwards);
-    let inverse = newton_euler(kinematics, &regrouped, &moving);
-    let kinetic_energy = kinetic_energy(kinematics, &regrouped);
-    let potential_energy = -gravity.dot(composite[GROUND].bare.first);
+    let bias = newton_euler(kinematics, &regrouped, &beams, None, upwards);
+    let mut forces: Vec<Scalar> = bias.iter().map(|force| -*force).collect();
+    let mut inverse = newton_euler(kinematics, &regrouped, &beams, Some(&laws.symbols.acceleration), upwards);
+    for (velocity, force) in flexible::elastic_forces(laws, kinematics) {
+        forces[velocity] += force;
+        inverse[velocity] -= force;
+    }
+    let kinetic_energy = kinetic_energy(kinematics, &regrouped, &beams);
+    let mut potential_energy = -gravity.dot(composite[GROUND].bare.first);
+    if !beams.is_empty() {
+        potential_energy += flexible::elastic_energy(laws, kinematics);
+    }
     let distributions = regrouped.into_iter().map(|distribution| distribution.bare).collect();
     Dynamics { mass, forces, inverse, kinetic_energy, potential_energy, distributions }
 }
 
-/// What the bodies on each link weigh.
-fn distributions<'g>(laws: &Laws<'g>, kinematics: &Kinematics) -> Vec<On<'g, Distribution>> {
+/// The kinetic energy of rigid bodies and of slices of beams, by quadrature of ½ μ |ṙ|² along their axes: what no algebra of integrals
+/// has gone into.
+pub fn kinetic_energy_of_slices<'g>(laws: &Laws<'g>, rule: &crate::beams::Rule) -> Scalar<'g> {
+    let Some(kinematics) = laws.space() else { return laws.g.zero() };
+    let beams = Spread::all(laws, kinematics);
+    let rigid = distributions(laws, kinematics.bare, &beams, Spread::spin_alone);
+    let mut sum = kinetic_energy(kinematics, &rigid, &[]);
+    for (body, placement) in laws.mechanism.bodies.iter().zip(&kinematics.bare.bodies) {
+        let Some(flexible) = &placement.flexible else { continue };
+        let mass = laws.value(&body.mass);
+        for (share, weight) in rule.points() {
+            let x = flexible.slender.from + share * flexible.slender.length;
+            let at = x * vector::unit(laws.g, 0);
+            let velocity = kinematics.in_world(placement, at).rate();
+            sum += 0.5 * weight * (mass * velocity.dot(velocity));
+        }
+    }
+    sum
+}
+
+/// What the bodies on each link weigh, of beams as much as is asked for.
+fn distributions<'g>(
+    laws: &Laws<'g>,
+    kinematics: &Kinematics,
+    beams: &[Spread<'g>],
+    of_beam: fn(&Spread<'g>) -> On<'g, Distribution>,
+) -> Vec<On<'g, Distribution>> {
     let g = laws.g;
     let none = Distribution::none(g);
     let mut found = vec![g.on(none); kinematics.links.len()];
+    for beam in beams {
+        let own = &mut found[beam.link];
+        *own = *own + of_beam(beam);
+    }
     for (body, placement) in laws.mechanism.bodies.iter().zip(&kinematics.bodies) {
+        if placement.flexible.is_some() {
+            continue;
+        }
         let mass = laws.value(&body.mass).bare;
         let center = g.on(placement).point(laws.vector(&body.center));
         let inertia = if body.form.turns {
@@ -100,10 +139,10 @@ fn regrouped<'g>(
                     inertia: Symmetric([(g.on(xx) - yy).bare, zero, zz, xy, xz, yz]),
                 },
             ),
-            Motion::Slide { .. } => {
+            Motion::Slide { .. } | Motion::Shift { .. } => {
                 (Distribution { inertia: own.inertia, ..none }, Distribution { inertia: none.inertia, ..own })
             }
-            Motion::Ball { .. } => {
+            Motion::Ball { .. } | Motion::Lean { .. } => {
                 (Distribution { mass: own.mass, ..none }, Distribution { mass: zero, ..own })
             }
         };
@@ -129,9 +168,9 @@ fn composite<'g>(
 
 /// Moment about a link's origin, and force, in its axes.
 #[derive(Clone, Copy)]
-struct Wrench<'g> {
-    moment: On<'g, Vec3>,
-    force: On<'g, Vec3>,
+pub struct Wrench<'g> {
+    pub moment: On<'g, Vec3>,
+    pub force: On<'g, Vec3>,
 }
 
 impl<'g> Wrench<'g> {
@@ -148,17 +187,18 @@ impl<'g> Wrench<'g> {
         for (velocity, axis) in link.turning() {
             found.push((velocity, axis.dot(self.moment)));
         }
-        if let Some((velocity, axis)) = link.sliding() {
+        for (velocity, axis) in link.sliding() {
             found.push((velocity, axis.dot(self.force)));
         }
         found
     }
 }
 
-/// M_kl = S_l · (I^c S_k), carried from the link of k inwards.
+/// M_kl = S_l · (I^c S_k), carried from the link of k inwards; of modes of beams, with what they need of their link.
 fn mass_matrix<'g>(
     kinematics: On<'g, &Kinematics>,
     composite: &[On<'g, Distribution>],
+    beams: &[Spread<'g>],
 ) -> BTreeMap<(usize, usize), Scalar<'g>> {
     let g = kinematics.g;
     let links = &kinematics.bare.links;
@@ -173,7 +213,7 @@ fn mass_matrix<'g>(
             let moment = own.bare.inertia * axis;
             columns.push((velocity, Wrench { moment, force: axis.cross(own.first()) }));
         }
-        if let Some((velocity, axis)) = g.on(link).sliding() {
+        for (velocity, axis) in g.on(link).sliding() {
             let moment = own.first().cross(axis);
             columns.push((velocity, Wrench { moment, force: own.mass() * axis }));
         }
@@ -181,22 +221,40 @@ fn mass_matrix<'g>(
             for (l, entry) in wrench.projections(g.on(link)).into_iter().filter(|(l, _)| *l <= k) {
                 accumulate(k, l, entry);
             }
-            let (mut wrench, mut below) = (wrench, link);
-            loop {
-                wrench = wrench.in_parent(g.on(below));
-                if below.parent == GROUND {
-                    break;
-                }
-                below = &links[below.parent];
-                for (l, entry) in wrench.projections(g.on(below)) {
-                    // One velocity that moves two links, as of a screw, meets itself both ways.
-                    accumulate(k, l, if l == k { 2.0 * entry } else { entry });
-                }
+            carried(kinematics, wrench.in_parent(g.on(link)), link.parent, k, &mut accumulate);
+        }
+    }
+    for beam in beams {
+        for (mode, share) in beam.shares.iter().enumerate() {
+            let [moment, force] = beam.column(share);
+            carried(kinematics, Wrench { moment, force }, beam.link, share.velocity, &mut accumulate);
+            for its in &beam.shares[..=mode] {
+                accumulate(share.velocity, its.velocity, beam.mass_of(share, its));
             }
         }
     }
     mass.retain(|_, entry| !entry.is_zero());
     mass
+}
+
+/// The wrench that an acceleration of k needs at a link, with all velocities from there to the ground.
+fn carried<'g>(
+    kinematics: On<'g, &Kinematics>,
+    mut wrench: Wrench<'g>,
+    from: LinkId,
+    k: usize,
+    accumulate: &mut impl FnMut(usize, usize, Scalar<'g>),
+) {
+    let mut at = from;
+    while at != GROUND {
+        let link = kinematics.g.on(&kinematics.bare.links[at]);
+        for (l, entry) in wrench.projections(link) {
+            // One velocity that moves two links, as of a screw, meets itself both ways.
+            accumulate(k, l, if l == k { 2.0 * entry } else { entry });
+        }
+        wrench = wrench.in_parent(link);
+        at = link.bare.parent;
+    }
 }
 
 /// Motion of a link, in its axes and at its origin.
@@ -208,6 +266,17 @@ pub struct LinkMotion<'g> {
     pub acceleration: On<'g, Vec3>,
     /// α̃ + ω̃ ω̃.
     pub spin: On<'g, Mat3>,
+}
+
+impl<'g> LinkMotion<'g> {
+    pub fn new(
+        omega: On<'g, Vec3>,
+        alpha: On<'g, Vec3>,
+        velocity: On<'g, Vec3>,
+        acceleration: On<'g, Vec3>,
+    ) -> Self {
+        LinkMotion { omega, alpha, velocity, acceleration, spin: spin(omega, alpha) }
+    }
 }
 
 /// Motions of all links, with the accelerations given or zero, the ground's being `ground`.
@@ -234,7 +303,6 @@ fn moved<'g>(
     v: &[Node],
     accelerations: Option<&[Node]>,
 ) -> LinkMotion<'g> {
-    let g = link.g;
     let offset = link.offset();
     // At the link's origin, in the axes of the parent.
     let velocity = parent.velocity + (parent.omega.cross(offset) + link.bare.at_drift);
@@ -243,21 +311,20 @@ fn moved<'g>(
     let (mut velocity, mut acceleration) = (link.down(velocity), link.down(acceleration));
     let (base_omega, base_alpha) = (link.down(parent.omega), link.down(parent.alpha));
     let relative = link.omega(v);
-    let gyration = base_omega.cross(relative);
+    let gyration = base_omega.cross(relative) + link.turning_bias();
     let omega = base_omega + relative;
     let mut alpha = base_alpha + gyration;
     if let Some(a) = accelerations {
         alpha += link.omega(a);
     }
-    if let Some((rate, axis)) = link.sliding() {
-        let speed = g.on(v[rate]) * axis;
+    if let Some(speed) = link.sliding_by(v) {
         velocity += speed;
-        acceleration += 2.0 * omega.cross(speed);
-        if let Some(a) = accelerations {
-            acceleration += g.on(a[rate]) * axis;
+        acceleration += 2.0 * omega.cross(speed) + link.sliding_bias();
+        if let Some(forced) = accelerations.and_then(|a| link.sliding_by(a)) {
+            acceleration += forced;
         }
     }
-    LinkMotion { omega, alpha, velocity, acceleration, spin: spin(omega, alpha) }
+    LinkMotion::new(omega, alpha, velocity, acceleration)
 }
 
 /// U = α̃ + ω̃ ω̃.
@@ -274,19 +341,31 @@ fn spin<'g>(omega: On<'g, Vec3>, alpha: On<'g, Vec3>) -> On<'g, Mat3> {
     omega.g.on(matrix)
 }
 
-/// Forces that the motions need, per velocity.
+/// Forces that the motions need, per velocity, with the accelerations given or zero, the ground's being `ground`.
 fn newton_euler<'g>(
     kinematics: On<'g, &Kinematics>,
     distributions: &[On<'g, Distribution>],
-    motions: &[LinkMotion<'g>],
+    beams: &[Spread<'g>],
+    accelerations: Option<&[Node]>,
+    ground: On<'g, Vec3>,
 ) -> Vec<Scalar<'g>> {
     let g = kinematics.g;
+    let motions = &motions(kinematics, accelerations, ground);
     let mut forces = vec![g.zero(); kinematics.bare.velocities.len()];
     let mut wrenches: Vec<Wrench> = distributions
         .iter()
         .zip(motions)
         .map(|(distribution, motion)| needed(*distribution, motion))
         .collect();
+    for beam in beams {
+        let motion = &motions[beam.link];
+        let [moment, force] = beam.beyond(motion, accelerations);
+        wrenches[beam.link].moment += moment;
+        wrenches[beam.link].force += force;
+        for (velocity, force) in beam.forces(motion, accelerations) {
+            forces[velocity] += force;
+        }
+    }
     for (at, link) in kinematics.bare.links.iter().enumerate().skip(1).rev() {
         let wrench = wrenches[at];
         for (velocity, force) in wrench.projections(g.on(link)) {
@@ -302,7 +381,7 @@ fn newton_euler<'g>(
 
 /// F = m a + U h, N = I α + ω × I ω + h × a. With U at hand the second is, component by component,
 ///   N_x = Ixx α_x + (Izz − Iyy) ω_y ω_z − Ixy U_zx + Ixz U_yx + Iyz (U_yy − U_zz) + …
-fn needed<'g>(distribution: On<'g, Distribution>, motion: &LinkMotion<'g>) -> Wrench<'g> {
+pub fn needed<'g>(distribution: On<'g, Distribution>, motion: &LinkMotion<'g>) -> Wrench<'g> {
     let LinkMotion { omega, alpha, acceleration, spin, .. } = *motion;
     let (first, inertia) = (distribution.first(), distribution.inertia());
     let force = distribution.mass() * acceleration + spin * first;
@@ -325,16 +404,22 @@ fn needed<'g>(distribution: On<'g, Distribution>, motion: &LinkMotion<'g>) -> Wr
     Wrench { moment, force }
 }
 
-/// T = Σ ½ (m v² + 2 v·(ω × h) + ω·I ω).
-fn kinetic_energy<'g>(kinematics: On<'g, &Kinematics>, distributions: &[On<'g, Distribution>]) -> Scalar<'g> {
+/// T = Σ ½ (m v² + 2 v·(ω × h) + ω·I ω), and what beams have beyond that.
+fn kinetic_energy<'g>(
+    kinematics: On<'g, &Kinematics>,
+    distributions: &[On<'g, Distribution>],
+    beams: &[Spread<'g>],
+) -> Scalar<'g> {
     let g: Sheet<'g> = kinematics.g;
     let motions = motions(kinematics, None, vector::zero(g));
     let mut twice = g.zero();
-    for (own, LinkMotion { velocity, omega, .. }) in distributions.iter().zip(motions) {
+    for (own, LinkMotion { velocity, omega, .. }) in distributions.iter().zip(&motions) {
+        let (velocity, omega) = (*velocity, *omega);
         let translation = own.mass() * velocity.dot(velocity);
         let mixed = 2.0 * velocity.dot(omega.cross(own.first()));
         let rotation = omega.dot(own.bare.inertia * omega);
         twice += g.sum([translation, mixed, rotation]);
     }
-    0.5 * twice
+    let beyond = beams.iter().map(|beam| beam.kinetic_energy(&motions[beam.link]));
+    beyond.fold(0.5 * twice, |sum, own| sum + own)
 }

@@ -32,6 +32,8 @@ pub struct Kinematics {
     pub travels: BTreeMap<(JointId, usize), (Node, usize, Node)>,
     /// Axes of the carrying and of the carried place of each ball, in their bodies.
     pub balls: BTreeMap<JointId, [Mat3; 2]>,
+    /// Sections of beams, by body and the bits of x: links whose origin and axes are those of the section.
+    pub sections: BTreeMap<(usize, u64), LinkId>,
 }
 
 /// A place on its link.
@@ -46,19 +48,45 @@ pub struct Spot<'g> {
 impl<'g> On<'g, &'g Kinematics> {
     pub fn spot(self, laws: &Laws<'g>, place: &Place) -> Spot<'g> {
         let g = self.g;
+        if let Some(link) = self.section(laws, place) {
+            return Spot {
+                link,
+                at: VectorJet::fixed(vector::zero(g)),
+                axes: axes::matrix(laws, &place.axes),
+            };
+        }
         // The link and the constant placement of what the place belongs to.
         let placement = match place.frame {
-            Frame::Ground => {
-                Placement { link: GROUND, at: vector::zero(g).bare, axes: vector::identity(g).bare }
-            }
+            Frame::Ground => Placement::of_ground(g),
             Frame::Body(body) => self.bare.bodies[body.0].clone(),
         };
         let axes = g.on(placement.axes) * axes::matrix(laws, &place.axes);
         let at = match place.frame {
             Frame::Ground => VectorJet::of_time(&laws.ground(&place.at)),
-            Frame::Body(_) => VectorJet::fixed(g.on(&placement).point(laws.vector(&place.at))),
+            Frame::Body(_) => self.point(&placement, laws.vector(&place.at)),
         };
         Spot { link: placement.link, at, axes }
+    }
+
+    /// The link of a section of a beam, if the place is one that has been made.
+    pub fn section(self, laws: &Laws<'g>, place: &Place) -> Option<LinkId> {
+        let Frame::Body(body) = place.frame else { return None };
+        let x = laws.vector(&place.at).at(0).value()?;
+        self.bare.sections.get(&(body.0, x.to_bits())).copied()
+    }
+
+    /// A point of a body, on its link, where it moves with what bends.
+    fn point(self, placement: &Placement, at: On<'g, Vec3>) -> VectorJet {
+        let fixed = VectorJet::fixed(self.g.on(placement).point(at));
+        match &placement.flexible {
+            Some(flexible) => flexible.moved(self, placement, at, fixed),
+            None => fixed,
+        }
+    }
+
+    /// A point of a body in world axes.
+    pub fn in_world(self, placement: &Placement, at: On<'g, Vec3>) -> Moving<'g, VectorJet> {
+        self.carry(self.point(placement, at), placement.link, GROUND, Kind::Point)
     }
 
     fn direction_of(self, link: LinkId, u: On<'g, Vec3>, seen_from: LinkId) -> Moving<'g, VectorJet> {
@@ -116,7 +144,7 @@ impl<'g> On<'g, &'g Kinematics> {
                 omega.jet.columns.iter().map(|(k, column)| (*k, link.down(g.on(*column)).bare)).collect();
             let (rate, bias) = (link.down(omega.rate()), link.down(omega.bias()));
             // α = Rᵀ α_parent + (Rᵀ ω_parent) × ω_relative
-            let gyration = rate.cross(relative);
+            let gyration = rate.cross(relative) + link.turning_bias();
             omega.jet = VectorJet {
                 columns,
                 rate: (rate + relative).bare,
@@ -139,7 +167,11 @@ impl<'g> On<'g, &'g Kinematics> {
 
     /// ω of a body about the axes of the world.
     pub fn turning_in_world(self, body: BodyId) -> [Moving<'g>; 3] {
-        let link = self.bare.bodies[body.0].link;
+        self.link_turning_in_world(self.bare.bodies[body.0].link)
+    }
+
+    /// ω of a link about the axes of the world.
+    pub fn link_turning_in_world(self, link: LinkId) -> [Moving<'g>; 3] {
         let omega = self.link_omega(link);
         self.world_axes(link).bare.map(|axis| omega.project(axis))
     }

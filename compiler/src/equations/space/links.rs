@@ -5,6 +5,7 @@
 //! where `at` and `axes` are constant and the motion is a turn about the link's own z, a slide, or a ball. A joint with
 //! several freedoms is a chain of links without mass; constant folding leaves nothing of what does not move.
 
+use super::flexible::Flexible;
 use super::vector::{self, Mat3, Vec3};
 use crate::equations::jet::Moving;
 use crate::symbolic::{Node, On, Sheet};
@@ -15,7 +16,7 @@ pub type LinkId = usize;
 pub const GROUND: LinkId = 0;
 
 /// How a link moves against its parent.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub enum Motion {
     None,
     /// R = Rz(θ) of (cos, sin), ω = sign · v\[rate\] along z.
@@ -36,6 +37,18 @@ pub enum Motion {
     Ball {
         matrix: Mat3,
         rate: usize,
+    },
+    /// By `offset`, with the velocity Σ axis · v\[rate\] of these, and `bias` its derivative at v̇ = 0: a place of a beam that bends.
+    Shift {
+        offset: Vec3,
+        along: Vec<(usize, Vec3)>,
+        bias: Vec3,
+    },
+    /// R = `matrix`, ω = Σ axis · v\[rate\] along the link's own axes, with `bias` the ω̇ of these at v̇ = 0: a section of a beam.
+    Lean {
+        matrix: Mat3,
+        about: Vec<(usize, Vec3)>,
+        bias: Vec3,
     },
 }
 
@@ -59,6 +72,15 @@ pub struct Placement {
     pub at: Vec3,
     /// Link ← body.
     pub axes: Mat3,
+    /// What bends of it.
+    pub flexible: Option<Flexible>,
+}
+
+impl Placement {
+    pub fn of_ground(g: Sheet) -> Self {
+        let (at, axes) = (vector::zero(g).bare, vector::identity(g).bare);
+        Placement { link: GROUND, at, axes, flexible: None }
+    }
 }
 
 impl Link {
@@ -75,10 +97,12 @@ impl Link {
 
     /// How many velocities move it against its parent.
     pub fn freedoms(&self) -> usize {
-        match self.motion {
+        match &self.motion {
             Motion::None => 0,
             Motion::Turn { .. } | Motion::Slide { .. } => 1,
             Motion::Ball { .. } => 3,
+            Motion::Shift { along, .. } => along.len(),
+            Motion::Lean { about, .. } => about.len(),
         }
     }
 
@@ -94,18 +118,18 @@ impl<'g> On<'g, &Link> {
     /// R x.
     pub fn turn(self, x: On<'g, Vec3>) -> On<'g, Vec3> {
         match &self.bare.motion {
-            Motion::None | Motion::Slide { .. } => x,
+            Motion::None | Motion::Slide { .. } | Motion::Shift { .. } => x,
             Motion::Turn { cos, sin, .. } => x.turned_about_z(self.g.on(*cos), self.g.on(*sin)),
-            Motion::Ball { matrix, .. } => *matrix * x,
+            Motion::Ball { matrix, .. } | Motion::Lean { matrix, .. } => *matrix * x,
         }
     }
 
     /// Rᵀ x.
     pub fn turn_back(self, x: On<'g, Vec3>) -> On<'g, Vec3> {
         match &self.bare.motion {
-            Motion::None | Motion::Slide { .. } => x,
+            Motion::None | Motion::Slide { .. } | Motion::Shift { .. } => x,
             Motion::Turn { cos, sin, .. } => x.turned_about_z(self.g.on(*cos), -self.g.on(*sin)),
-            Motion::Ball { matrix, .. } => vector::transposed(matrix) * x,
+            Motion::Ball { matrix, .. } | Motion::Lean { matrix, .. } => vector::transposed(matrix) * x,
         }
     }
 
@@ -123,7 +147,8 @@ impl<'g> On<'g, &Link> {
     pub fn omega(self, v: &[Node]) -> On<'g, Vec3> {
         let zero = self.g.zero().bare;
         self.g.on(match &self.bare.motion {
-            Motion::None | Motion::Slide { .. } => [zero; 3],
+            Motion::None | Motion::Slide { .. } | Motion::Shift { .. } => [zero; 3],
+            Motion::Lean { about, .. } => return self.sum(about, v),
             Motion::Turn { rate, sign, .. } => [zero, zero, (self.g.on(*sign) * v[*rate]).bare],
             Motion::Ball { rate, .. } => [v[*rate], v[rate + 1], v[rate + 2]],
         })
@@ -133,7 +158,8 @@ impl<'g> On<'g, &Link> {
     pub fn turning(self) -> Vec<(usize, On<'g, Vec3>)> {
         let g = self.g;
         match &self.bare.motion {
-            Motion::None | Motion::Slide { .. } => Vec::new(),
+            Motion::None | Motion::Slide { .. } | Motion::Shift { .. } => Vec::new(),
+            Motion::Lean { about, .. } => about.iter().map(|(rate, axis)| (*rate, g.on(*axis))).collect(),
             Motion::Turn { rate, sign, .. } => {
                 let zero = g.zero().bare;
                 vec![(*rate, g.on([zero, zero, *sign]))]
@@ -142,19 +168,51 @@ impl<'g> On<'g, &Link> {
         }
     }
 
-    /// The slide's part of the offset from the parent, in the axes of the link before its motion.
-    pub fn slide(self) -> On<'g, Vec3> {
+    fn sum(self, axes: &[(usize, Vec3)], v: &[Node]) -> On<'g, Vec3> {
+        let terms = axes.iter().map(|(rate, axis)| self.g.on(v[*rate]) * *axis);
+        terms.fold(vector::zero(self.g), |sum, term| sum + term)
+    }
+
+    /// ω̇ relative to the parent at v̇ = 0, in the link's own axes.
+    pub fn turning_bias(self) -> On<'g, Vec3> {
         match &self.bare.motion {
-            Motion::Slide { axis, travel, .. } => self.g.on(*travel) * *axis,
+            Motion::Lean { bias, .. } => self.g.on(*bias),
             _ => vector::zero(self.g),
         }
     }
 
-    /// Index of the velocity that slides the link, and the way along which, in its own axes.
-    pub fn sliding(self) -> Option<(usize, On<'g, Vec3>)> {
+    /// The acceleration with which it slides at v̇ = 0 by itself, in its own axes.
+    pub fn sliding_bias(self) -> On<'g, Vec3> {
         match &self.bare.motion {
-            Motion::Slide { axis, rate, factor, .. } => Some((*rate, self.g.on(*factor) * *axis)),
-            _ => None,
+            Motion::Shift { bias, .. } => self.g.on(*bias),
+            _ => vector::zero(self.g),
+        }
+    }
+
+    /// The velocity with which it slides, in its own axes, by v or by v̇; `None` of what does not slide.
+    pub fn sliding_by(self, v: &[Node]) -> Option<On<'g, Vec3>> {
+        let axes = self.sliding();
+        let terms = axes.into_iter().map(|(rate, axis)| self.g.on(v[rate]) * axis);
+        terms.reduce(|sum, term| sum + term)
+    }
+
+    /// The slide's part of the offset from the parent, in the axes of the link before its motion.
+    pub fn slide(self) -> On<'g, Vec3> {
+        match &self.bare.motion {
+            Motion::Slide { axis, travel, .. } => self.g.on(*travel) * *axis,
+            Motion::Shift { offset, .. } => self.g.on(*offset),
+            _ => vector::zero(self.g),
+        }
+    }
+
+    /// Index of each velocity that slides the link, and the way along which, in its own axes.
+    pub fn sliding(self) -> Vec<(usize, On<'g, Vec3>)> {
+        match &self.bare.motion {
+            Motion::Slide { axis, rate, factor, .. } => vec![(*rate, self.g.on(*factor) * *axis)],
+            Motion::Shift { along, .. } => {
+                along.iter().map(|(rate, axis)| (*rate, self.g.on(*axis))).collect()
+            }
+            _ => Vec::new(),
         }
     }
 

@@ -139,9 +139,9 @@ impl<'g> On<'g, Distribution> {
         let g = self.g;
         let moved = match &link.motion {
             Motion::None => self,
-            Motion::Slide { .. } => self.shifted(g.on(link).slide()),
+            Motion::Slide { .. } | Motion::Shift { .. } => self.shifted(g.on(link).slide()),
             Motion::Turn { cos, sin, .. } => self.turned_about_z(g.on(*cos), g.on(*sin)),
-            Motion::Ball { matrix, .. } => self.turned(*matrix),
+            Motion::Ball { matrix, .. } | Motion::Lean { matrix, .. } => self.turned(*matrix),
         };
         moved.turned(link.axes).shifted(g.on(link.at))
     }

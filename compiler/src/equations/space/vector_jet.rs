@@ -131,7 +131,8 @@ impl<'g> Moving<'g, VectorJet> {
                 seen.jet.columns.insert(velocity, column.bare);
             }
             let swept = omega.cross(self.value());
-            seen.jet.bias = (self.bias() + omega.cross(2.0 * self.rate() + swept)).bare;
+            let turned = self.bias() + link.turning_bias().cross(self.value());
+            seen.jet.bias = (turned + omega.cross(2.0 * self.rate() + swept)).bare;
             seen.jet.rate = (self.rate() + swept).bare;
             seen = seen.map(|x| link.turn(x));
         }
@@ -157,7 +158,8 @@ impl<'g> Moving<'g, VectorJet> {
             let swept = omega.cross(seen.value());
             // u̇, then 2 ω × u̇ + ω × (ω × u) = ω × (2 u̇ + ω × u)
             let rate = seen.rate() - swept;
-            seen.jet.bias = (seen.bias() - omega.cross(2.0 * rate + swept)).bare;
+            let turned = seen.bias() - link.turning_bias().cross(seen.value());
+            seen.jet.bias = (turned - omega.cross(2.0 * rate + swept)).bare;
             seen.jet.rate = rate.bare;
             for (velocity, axis) in turning {
                 let column = seen.column(velocity) - axis.cross(seen.value());
@@ -181,14 +183,11 @@ impl<'g> Moving<'g, VectorJet> {
 
     /// The slide of a link in motion, in its own axes.
     fn slide(&self, link: On<'g, &Link>) -> Option<Self> {
-        let (velocity, axis) = link.sliding()?;
-        let rate = self.g.on(self.velocities[velocity]) * axis;
+        let rate = link.sliding_by(self.velocities)?;
         let fixed = VectorJet::fixed(link.slide());
-        Some(self.of(VectorJet {
-            columns: BTreeMap::from([(velocity, axis.bare)]),
-            rate: rate.bare,
-            ..fixed
-        }))
+        let columns = link.sliding().into_iter().map(|(velocity, axis)| (velocity, axis.bare)).collect();
+        let bias = link.sliding_bias().bare;
+        Some(self.of(VectorJet { columns, rate: rate.bare, bias, ..fixed }))
     }
 
     fn combine(&self, other: &Self, join: fn(On<'g, Vec3>, Vec3) -> On<'g, Vec3>) -> Self {

@@ -1,37 +1,25 @@
-//! Means over the mass of the functions that fields of a beam are sums of: x, the shapes N_j, and where bending draws places in
-//! D_j = −Σ_k Γ_jk p_k and E = −ṗᵀ Γ ṗ. Of x and shapes they are constants, of D and E polynomials: that of D_j D_k is a linear form in the
-//! products p_l p_m, that of D_j E is Σ_l p_l g_jl with g a linear form in ṗ_m ṗ_n. All n³ and more of their numbers are in these forms, which M,
-//! forces and energies share.
+//! Integrals of fields of a beam in the plane, out of the means of the functions that they are sums of.
 
 use super::{Field, Flexible};
-use crate::beams::{Shortening, Slender};
+use crate::equations::means::{Bent, Means};
 use crate::equations::plane::vector::{self, Pair};
 use crate::symbolic::{On, Scalar, Sheet};
 
-/// In the order x, N, D, E; without D and E of a beam that does not stiffen.
-pub(super) struct Means<'g> {
+pub(super) struct Integrals<'g> {
     g: Sheet<'g>,
-    first: Vec<Scalar<'g>>,
-    second: Vec<Vec<Scalar<'g>>>,
+    means: Means<'g>,
 }
 
-impl<'g> Means<'g> {
+impl<'g> Integrals<'g> {
     pub fn new(g: Sheet<'g>, flexible: &Flexible) -> Self {
-        let slender = &*flexible.slender;
-        let constants = 1 + flexible.modes.len();
-        let numbers = |row: &[f64]| row[..constants].iter().map(|mean| g.number(*mean)).collect();
-        let first = numbers(&slender.first);
-        let second = slender.second[..constants].iter().map(|row| numbers(row)).collect();
-        let mut means = Means { g, first, second };
-        if !slender.shortenings.is_empty() {
-            means.stiffen(flexible);
-        }
-        means
+        let bent = flexible.modes.iter().map(|modal| Bent { value: modal.value, rate: modal.rate });
+        let bent: Vec<Bent> = bent.collect();
+        Integrals { g, means: Means::new(g, &flexible.slender, &bent) }
     }
 
     /// ∫ F over the mass, by the mass.
     pub fn mean(&self, field: &Field) -> On<'g, Pair> {
-        let terms = field.parts.iter().map(|(index, w)| self.first[*index] * self.g.on(*w));
+        let terms = field.parts.iter().map(|(index, w)| self.means.first(*index) * self.g.on(*w));
         terms.fold(vector::zero(self.g), |sum, term| sum + term)
     }
 
@@ -41,7 +29,7 @@ impl<'g> Means<'g> {
         let mut sums = [g.zero(), g.zero()];
         for (i, u) in &one.parts {
             for (k, w) in &other.parts {
-                let mean = self.second[*i][*k];
+                let mean = self.means.second(*i, *k);
                 if !mean.is_zero() {
                     sums[0] += mean * g.on(*u).dot(*w);
                     sums[1] += mean * g.on(*u).cross(*w);
@@ -50,54 +38,4 @@ impl<'g> Means<'g> {
         }
         sums
     }
-
-    /// Adds D and E.
-    fn stiffen(&mut self, flexible: &Flexible) {
-        let (g, slender, modes) = (self.g, &*flexible.slender, &flexible.modes);
-        let value = |mode: usize| g.on(modes[mode].value);
-        let drawn_by =
-            |row: &[f64], j: usize| g.sum((0..modes.len()).map(|k| -gamma(slender, row, j, k) * value(k)));
-        let faster = |row: &[f64]| {
-            g.sum(slender.shortenings.iter().enumerate().map(|(index, Shortening { modes: (m, n), .. })| {
-                let times = if m == n { 1.0 } else { 2.0 };
-                let mean = row[1 + modes.len() + index];
-                -(times * mean) * (g.on(modes[*m].rate) * modes[*n].rate)
-            }))
-        };
-        // Of a row of the constants, that of a function with all others.
-        let beyond = |row: &[f64]| {
-            (0..modes.len()).map(|j| drawn_by(row, j)).chain([faster(row)]).collect::<Vec<Scalar>>()
-        };
-        self.first.extend(beyond(&slender.first));
-        for (own, row) in self.second.iter_mut().zip(&slender.second) {
-            own.extend(beyond(row));
-        }
-        for j in 0..modes.len() {
-            let constants = &self.second[..1 + modes.len()];
-            let mut own: Vec<Scalar> = constants.iter().map(|row| row[1 + modes.len() + j]).collect();
-            for k in 0..modes.len() {
-                let pairs = (0..modes.len()).flat_map(|l| (l..modes.len()).map(move |m| (l, m)));
-                let both = |l: usize, m: usize| {
-                    let row = slender.shortening_of(j, l).map(|at| &slender.second[at]);
-                    row.map_or(0.0, |row| gamma(slender, row, k, m))
-                };
-                own.push(g.sum(pairs.map(|(l, m)| {
-                    let mean = if l == m { both(l, m) } else { both(l, m) + both(m, l) };
-                    mean * (value(l) * value(m).bare)
-                })));
-            }
-            let with = |l: usize| slender.shortening_of(j, l).map(|at| (l, &slender.second[at]));
-            let terms = (0..modes.len()).filter_map(with);
-            own.push(g.sum(terms.map(|(l, row)| -(value(l) * faster(row)))));
-            self.second.push(own);
-        }
-        let last: Vec<Scalar> = self.second.iter().map(|row| row[1 + 2 * modes.len()]).collect();
-        // Two accelerations are never multiplied with one another.
-        self.second.push(last);
-    }
-}
-
-/// The mean with Γ_jk out of those with all functions.
-fn gamma(slender: &Slender, row: &[f64], j: usize, k: usize) -> f64 {
-    slender.shortening_of(j, k).map_or(0.0, |at| row[at])
 }

@@ -57,7 +57,7 @@ impl Spread<'_, '_> {
     pub(super) fn drawn_in_by(&self, mode: usize) -> Field {
         match self.flexible.slender.modes[mode].way {
             Way::Axial => Field::default(),
-            Way::Bending => self.along(1 + self.flexible.modes.len() + mode),
+            Way::Bending | Way::BendingZ => self.along(1 + self.flexible.modes.len() + mode),
         }
     }
 
