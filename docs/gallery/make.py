@@ -43,6 +43,7 @@ SETTINGS = {
     "dump_truck_steering": "--input valve=0.5",
     "dump_truck_tipping": "--input valve=0.5",
     "loose_wrist": "--for 0.2s --step 10us --speed 0.1",
+    "flexible_arm": "--for 10s --step 1ms --input yaw_torque=300*sin(pi*t/4) --input shoulder_torque=-150*sin(pi*t/4) --input elbow_torque=60*sin(pi*t/4)",
     "flexible_quick_return": "--for 0.6s --step 10us --speed 0.1",
     "flexible_slider_crank": "--for 80ms --step 1us --speed 0.02",
     "quick_return": "--for 1.7s --speed 0.5",
@@ -67,7 +68,7 @@ SECTIONS = [
         "cam_follower"]),
     ("Contact and friction", ["bouncing_ball", "falling_cross", "hammer_at_wall", "loose_wrist", "rod_on_pin", "rubbing_four_bar", "rolling",
         "rubbing_block", "lugre_block"]),
-    ("Flexible bodies", ["flexible_quick_return", "flexible_slider_crank", "flexible_pendulum", "spinning_beam"]),
+    ("Flexible bodies", ["flexible_quick_return", "flexible_slider_crank", "flexible_pendulum", "spinning_beam", "flexible_arm"]),
     ("Pendulums and tops", []),
 ]
 

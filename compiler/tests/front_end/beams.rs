@@ -1,6 +1,8 @@
 //! Beams: what is warned of, and what is not.
 
+use crate::bad;
 use linkwright_compiler::compile;
+use std::f64::consts::PI;
 
 /// One beam with what it is like, its joints and its start.
 fn told(beam: &str, rest: &str) -> Vec<String> {
@@ -108,4 +110,166 @@ fn shapes_and_sections_that_do_not_suit() {
     // √12 L/h.
     assert_eq!(thick(173.0), "");
     assert!(thick(174.0).contains("is 19.9 radii of gyration √(I/A) long; below 20"), "{}", thick(174.0));
+}
+
+/// What is said of a beam in space that holds these.
+fn mistakes_in_space(inside: &str, rest: &str) -> String {
+    bad(&format!(
+        "spatial Beams {{ beam rod {{ length [m] = 1; young [GPa] = 210; density [kg/m^3] = 7800; {inside} }}
+         joint base: revolute(ground(0, 0, 0) [m], rod.start, axis = (0, 0, 1)); {rest} }}"
+    ))
+    .to_string()
+}
+
+#[test]
+fn what_beams_in_space_are_made_of() {
+    let section = "section = circle(diameter [mm] = 10);";
+    let with = |more: &str| mistakes_in_space(&format!("{section} {more}"), "");
+    for (inside, said) in [
+        (
+            "modes = (bending = 2);",
+            "a beam in space bends two ways: write `bending_y` for what moves along y, and `bending_z`",
+        ),
+        (
+            "modes = (torsion = 2);",
+            "modes in torsion are not there yet in this version; there are `axial`, `bending_y`, `bending_z`",
+        ),
+        ("modes = (bending_x = 2);", "no modes called \"bending_x\"; did you mean `bending_y`?"),
+        ("modes = 3;", "`(bending_y = 2, bending_z = 2)`, or `(axial = 1, bending_y = 2, bending_z = 2)`"),
+        ("modes = (bending_y = 0, axial = 0);", "write `(bending_y = 3)`, or `rod`"),
+        (
+            "modes = (axial = 2); stiffening = on;",
+            "write `modes = (bending_y = 3)`, or leave `stiffening` out",
+        ),
+        ("marker eye [m] = (0.1, 0, 0);", "a marker on the beam `rod` would have to turn with a section"),
+        ("point far [m] = (0.1, 0, 0.2);", "the beam `rod`, whose points are on it"),
+        ("inertia [kg*m^2] = (1, 1, 1);", "a beam has no `inertia`"),
+    ] {
+        let found = with(inside);
+        assert!(found.contains(said), "{inside}: {found}");
+    }
+    assert!(mistakes_in_space("", "").contains(
+        "or `area [mm^2] = …;` and `second_moment_z [mm^4] = …;` and `second_moment_y [mm^4] = …;`"
+    ));
+    let lacking = mistakes_in_space("area [mm^2] = 20; second_moment_z [mm^4] = 30;", "");
+    assert!(lacking.contains("the beam `rod` has no second_moment_y"), "{lacking}");
+    let mode = mistakes_in_space(section, "output bent [mm] = rod.bending[0];");
+    assert!(mode.contains("bending"), "{mode}");
+    let mode = mistakes_in_space(section, "output bent [mm] = rod.bending_y[3];");
+    assert!(
+        mode.contains(
+            "it has `rod.bending_y[0]` to `rod.bending_y[2]` and `rod.bending_z[0]` to `rod.bending_z[2]`"
+        ),
+        "{mode}"
+    );
+    let torque = mistakes_in_space(section, "torque turn: torque(rod) = (1 [N*m], 0 [N*m], 0 [N*m]);");
+    assert!(torque.contains("a torque on the beam `rod` bends it where it acts"), "{torque}");
+}
+
+#[test]
+fn modes_in_the_plane() {
+    for (modes, said) in [
+        ("(torsion = 2)", "` needs a beam in space; in the plane there are `axial` and `bending`"),
+        ("3", "`(bending = 3)`, or `(axial = 1, bending = 3)`"),
+    ] {
+        let found = bad(&format!("planar Beams {{ beam rod {{ modes = {modes}; }} }}")).to_string();
+        assert!(found.contains(said), "{modes}: {found}");
+    }
+}
+
+#[test]
+fn warnings_of_beams_in_space() {
+    let told = |beam: &str, rest: &str| {
+        let source = format!(
+            "spatial Beams {{ beam rod {{ length [m] = 1; section = rectangle(height [mm] = 10, width [mm] = 30); young [GPa] = 210;
+             density [kg/m^3] = 7800; {beam} }} {rest} }}"
+        );
+        let compiled = compile(source.parse().expect("tokens"), None)
+            .unwrap_or_else(|errors| panic!("{source}\n{errors}"));
+        compiled.warnings.to_string()
+    };
+    // (1.8751/L)² √(E h²/12 ρ) about the softer axis, 10 mm.
+    let natural = 52.665_17;
+    let turned = |part: f64, beam: &str| {
+        told(
+            beam,
+            &format!(
+                "joint left: revolute(ground(0, 0, 0) [m], rod.start, axis = (0, 1, 0));
+                 start {{ left.angle [rad] = 0; left.rate [rad/s] = {}; }}",
+                part * natural
+            ),
+        )
+    };
+    assert_eq!(turned(0.3, "") + &turned(0.5, "stiffening = on;"), "");
+    let about_its_axis = "joint left: revolute(ground(0, 0, 0) [m], rod.start, axis = (1, 0, 0));
+                          start { left.angle [rad] = 0; left.rate [rad/s] = 200; }";
+    assert_eq!(told("", about_its_axis), "");
+    assert!(
+        turned(0.5, "").contains("0.5 of its first clamped frequency, 52.67 rad/s"),
+        "{}",
+        turned(0.5, "")
+    );
+    // A quarter of π² E I/L².
+    let euler = 0.25 * 9.869_604_401 * 210e9 * 0.03 * 0.01_f64.powi(3) / 12.0;
+    let column = |part: f64| {
+        told(
+            "shapes = clamped;",
+            &format!(
+                "joint foot: fixed(ground(0, 0, 0) [m], rod.start);
+                 force push: force(rod.end) = ({} [N], 0 [N], 0 [N]);",
+                -part * euler
+            ),
+        )
+    };
+    assert_eq!(column(0.3), "");
+    assert!(column(0.5).contains("0.5 of Euler's load"), "{}", column(0.5));
+    let thick = told("modes = (bending_y = 1);", "joint foot: spherical(ground(0, 0, 0) [m], rod.start);");
+    assert_eq!(thick, "");
+}
+
+#[test]
+fn frequencies_that_are_expected() {
+    let with = |expectation: &str| {
+        compile(
+            format!(
+                "planar Beams {{ beam rod {{ length [m] = 1; section = circle(diameter [mm] = 10); young [GPa] = 210; density [kg/m^3] = 7800;
+                 shapes = pinned; }} body sled {{ mass [kg] = 1; inertia [kg*m^2] = 1; }}
+                 joint pin: revolute(ground(0, 0) [m], rod.start); joint hook: revolute(rod.end, sled.center);
+                 joint rail: prismatic(ground(0, 0) [m], sled.center, axis = (1, 0));
+                 start {{ rod.angle [rad] ~ 0.1; rail.travel [m] ~ 1; }} expect {{ {expectation} }} }}"
+            )
+            .parse()
+            .expect("tokens"),
+            None,
+        )
+        .map_or_else(|errors| errors.to_string(), |_| String::new())
+    };
+    // π/2 √(E d²/(16 ρ L⁴)), four times that, and nine times.
+    let first = PI / 2.0 * (210e9 * 1e-4 / 16.0 / 7800.0_f64).sqrt();
+    for (mode, times) in [(0, 1.0), (1, 4.0), (2, 9.0)] {
+        let [below, above] = [0.9999, 1.0001].map(|part| part * times * first);
+        assert_eq!(with(&format!("frequency(rod.bending[{mode}]) >= {below} [Hz];")), "");
+        assert_eq!(with(&format!("frequency(rod.bending[{mode}]) <= {above} [Hz];")), "");
+        let missed = with(&format!("frequency(rod.bending[{mode}]) >= {above} [Hz];"));
+        assert!(
+            missed.contains(" Hz expected: change the section, the length or the material of the beam"),
+            "{missed}"
+        );
+        let missed = with(&format!("frequency(rod.bending[{mode}]) <= {below} [Hz];"));
+        assert!(missed.contains("Hz by itself, more than the"), "{missed}");
+    }
+    for (expectation, said) in [
+        ("frequency(rod.bending[3]) >= 1 [Hz];", "`rod` has no mode `rod.bending[3]`"),
+        (
+            "frequency(rail.travel) >= 1 [Hz];",
+            "` is no mode of a beam, which has a frequency by itself: write `frequency(coupler.bending[0]) >= 200 [Hz]`",
+        ),
+        ("frequency(rod.bending[0]) = 1 [Hz];", "expected `>=` or `<=` and a frequency"),
+        ("frequency(rod.bending[0]) >= 1 [m];", "m"),
+        ("frequency(rod.bending[0], 2) >= 1 [Hz];", "expected `)`"),
+        ("frequency() >= 1 [Hz];", "expected a mode, such as `coupler.bending[0]`"),
+    ] {
+        let found = with(expectation);
+        assert!(found.contains("error") && found.contains(said), "{expectation}: {found}");
+    }
 }

@@ -52,6 +52,9 @@ fn inertia(body: &BodyForm, solid: &Solid, space: Space) -> String {
         None => name.to_string(),
     };
     let formula = |moment: &Moment| {
+        if moment.squares.is_empty() {
+            return "that of its section".to_string();
+        }
         let term = |(factor, name): &(f64, &str)| match *factor {
             1.0 => format!("{}²", edge(name)),
             factor => format!("{factor} {}²", edge(name)),
