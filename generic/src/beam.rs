@@ -1,15 +1,15 @@
-//! Beams of the plane: shapes, and M, forces and energies slice by slice. Nothing is integrated over shapes beforehand; each slice is
+//! Beams: shapes, and M, forces and energies slice by slice. Nothing is integrated over shapes beforehand; each slice is
 //! a point mass whose velocity is that of its place on the deformed axis, drawn in by bending or not.
 
 mod shape;
 
 use crate::kinematics::Frame;
-use crate::vector::{V3, dot, plus, times, turned};
+use crate::vector::*;
 use shape::{Shape, polynomials, root, slices};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Most modes of a beam, both kinds together.
-pub(crate) const MOST: usize = 24;
+/// Most modes of a beam, all kinds together.
+pub(crate) const MOST: usize = 36;
 
 #[derive(Clone, Debug)]
 pub(crate) struct Beam {
@@ -25,6 +25,9 @@ pub(crate) struct Beam {
     drawn: Vec<f64>,
     /// kg.
     mass: f64,
+    pub spatial: bool,
+    /// In space: about its own axis, kg m².
+    spin: f64,
     /// N/m and N s/m of each mode.
     stiffness: Vec<f64>,
     damping: Vec<f64>,
@@ -35,10 +38,14 @@ pub(crate) struct Made<'a> {
     pub shapes: &'a str,
     pub length: f64,
     pub axial: usize,
-    pub bending: usize,
+    /// Along y and along z.
+    pub bending: [usize; 2],
+    pub spatial: bool,
     pub mass: f64,
-    /// EA and EI.
-    pub rigidity: [f64; 2],
+    /// EA, and EI of bending along y and along z.
+    pub rigidity: [f64; 3],
+    /// The square of the section's radius of gyration about the axis, m².
+    pub polar: f64,
     pub damping_ratio: f64,
     pub stiffens: bool,
     /// Whether the axial functions are polynomials whatever the others are.
@@ -48,7 +55,7 @@ pub(crate) struct Made<'a> {
 #[derive(Clone, Debug)]
 struct Mode {
     name: String,
-    /// 0 along the axis, 1 across.
+    /// Along which axis of the frame: x is its own.
     axis: usize,
     shape: Shape,
 }
@@ -63,11 +70,19 @@ struct Slice {
     gammas: Vec<f64>,
 }
 
-/// What a place of a slice does: from the frame's origin in world axes, the columns x, y, ω and modes of its velocity, its velocity, its
-/// acceleration at v̇ = 0.
+/// How a section is turned against the body, in the body's axes: the rotation, what the rate of each mode adds to its ω, ω, and ω̇ at v̇ = 0.
+pub(crate) struct Turning {
+    pub matrix: M3,
+    pub columns: [V3; MOST],
+    pub rate: V3,
+    pub faster: V3,
+}
+
+/// What a place of a slice does: from the frame's origin in world axes, the columns of the frame and the modes of its velocity, its
+/// velocity, its acceleration at v̇ = 0.
 struct Moved {
     arm: V3,
-    columns: [V3; 3 + MOST],
+    columns: [V3; 6 + MOST],
     velocity: V3,
     bias: V3,
 }
@@ -76,12 +91,13 @@ impl Beam {
     /// `None` of shapes that are not known or too many modes.
     pub fn new(made: &Made) -> Option<Self> {
         let Made { shapes, length, axial, bending, .. } = *made;
-        if axial + bending > MOST || !matches!(shapes, "free" | "clamped" | "pinned" | "static") {
+        if axial + bending[0] + bending[1] > MOST
+            || !matches!(shapes, "free" | "clamped" | "pinned" | "static")
+        {
             return None;
         }
         let mut modes = Vec::new();
         let stretched = if made.quadratic || shapes == "static" { polynomials(axial, 1) } else { Vec::new() };
-        let bent = if shapes == "static" { polynomials(bending, 2) } else { Vec::new() };
         for number in 0..axial {
             let k = number as f64;
             let shape = match (stretched.get(number), shapes) {
@@ -91,8 +107,11 @@ impl Beam {
             };
             modes.push(Mode { name: format!("axial[{number}]"), axis: 0, shape });
         }
-        for number in 0..bending {
+        for (axis, number) in
+            [1, 2].into_iter().flat_map(|axis| (0..bending[axis - 1]).map(move |k| (axis, k)))
+        {
             let k = number as f64;
+            let bent = if shapes == "static" { polynomials(bending[axis - 1], 2) } else { Vec::new() };
             let shape = match (bent.get(number), shapes) {
                 (Some(shape), _) => shape.clone(),
                 (None, "free") => {
@@ -101,7 +120,12 @@ impl Beam {
                 (None, "clamped") => Shape::Clamped { lambda: root((k + 0.5) * PI, -1.0) },
                 _ => Shape::Wave { lambda: (k + 1.0) * PI, phase: 0.0 },
             };
-            modes.push(Mode { name: format!("bending[{number}]"), axis: 1, shape });
+            let way = match (made.spatial, axis) {
+                (false, _) => "bending",
+                (true, 1) => "bending_y",
+                _ => "bending_z",
+            };
+            modes.push(Mode { name: format!("{way}[{number}]"), axis, shape });
         }
         let start = if shapes == "free" { -0.5 * length } else { 0.0 };
         let mut beam = Beam {
@@ -112,6 +136,8 @@ impl Beam {
             stiffens: made.stiffens,
             drawn: Vec::new(),
             mass: made.mass,
+            spatial: made.spatial,
+            spin: made.mass * made.polar,
             stiffness: Vec::new(),
             damping: Vec::new(),
         };
@@ -130,7 +156,7 @@ impl Beam {
             }
         }
         for (index, mode) in beam.modes.iter().enumerate() {
-            let order = mode.axis + 1;
+            let order = if mode.axis == 0 { 1 } else { 2 };
             let bent = |slice: &Slice| (beam.derivative(index, slice.x, order)).powi(2);
             let integral =
                 |f: &dyn Fn(&Slice) -> f64| -> f64 { beam.slices.iter().map(|it| it.share * f(it)).sum() };
@@ -166,6 +192,30 @@ impl Beam {
         if self.modes[mode].axis == 0 { 0.0 } else { self.derivative(mode, x, 1) }
     }
 
+    /// In space: Cayley's rotation by r = (0, −Σ N′ p_z, Σ N′ p_y), as the Euler parameters (1, r/2) of no particular length. With n their
+    /// square and e the vector of r/2, ω′ = (ṙ + e × ṙ)/n in the axes of the body, so that ω̇′ at v̇ = 0 is −(n˙/n) ω′.
+    pub fn turning(&self, x: f64, modal: &[[f64; 2]]) -> Turning {
+        let about = |mode: usize| match self.modes[mode].axis {
+            0 => ZERO,
+            1 => [0.0, 0.0, self.slope(mode, x)],
+            _ => [0.0, -self.slope(mode, x), 0.0],
+        };
+        let (mut half, mut half_rate) = (ZERO, ZERO);
+        for (mode, [p, rate]) in modal.iter().enumerate() {
+            half = plus(half, times(0.5 * p, about(mode)));
+            half_rate = plus(half_rate, times(0.5 * rate, about(mode)));
+        }
+        let square = 1.0 + dot(half, half);
+        let swept = |r: V3| times(1.0 / square, plus(r, cross(half, r)));
+        let mut columns = [ZERO; MOST];
+        columns.iter_mut().enumerate().take(modal.len()).for_each(|(mode, to)| *to = swept(about(mode)));
+        let length = square.sqrt();
+        let [x, y, z] = half.map(|part| part / length);
+        let rate = swept(times(2.0, half_rate));
+        let faster = times(-2.0 * dot(half, half_rate) / square, rate);
+        Turning { matrix: rotation([1.0 / length, x, y, z]), columns, rate, faster }
+    }
+
     /// Along which axis of the frame a mode moves.
     pub fn axis(&self, mode: usize) -> usize {
         self.modes[mode].axis
@@ -184,7 +234,10 @@ impl Beam {
         for (at, weight) in slices().iter().filter(|_| count > 0) {
             let slopes: Vec<f64> = (0..count).map(|mode| self.slope(mode, self.start + span * at)).collect();
             for (k, gamma) in gammas.iter_mut().enumerate() {
-                *gamma += span * weight * slopes[k / count] * slopes[k % count];
+                // What moves across two ways has slopes across one another.
+                if self.modes[k / count].axis == self.modes[k % count].axis {
+                    *gamma += span * weight * slopes[k / count] * slopes[k % count];
+                }
             }
         }
         gammas.iter_mut().zip(&self.drawn).for_each(|(gamma, mean)| *gamma -= mean);
@@ -214,27 +267,37 @@ impl Beam {
             rate[mode.axis] += value * p_rate;
         }
         let (arm, rate) = (turned(&frame.axes, bent), turned(&frame.axes, rate));
-        let mut columns = [[0.0; 3]; 3 + MOST];
-        (columns[0], columns[1]) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
-        columns[2] = [-arm[1], arm[0], 0.0];
+        let mut columns = [[0.0; 3]; 6 + MOST];
+        if self.spatial {
+            for k in 0..3 {
+                columns[k] = unit_axis(k);
+                columns[3 + k] = cross(column(&frame.axes, k), arm);
+            }
+        } else {
+            (columns[0], columns[1]) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
+            columns[2] = [-arm[1], arm[0], 0.0];
+        }
         for ((column, mode), (value, along)) in
-            columns[3..].iter_mut().zip(&self.modes).zip(slice.values.iter().zip(along))
+            columns[self.pose()..].iter_mut().zip(&self.modes).zip(slice.values.iter().zip(along))
         {
             let mut local = [along, 0.0, 0.0];
             local[mode.axis] += value;
             *column = turned(&frame.axes, local);
         }
-        let omega = frame.spin[2];
-        // −ω² A d + 2 ω × A ḋ + A d̈.
-        let turning = plus(times(-omega * omega, arm), times(2.0 * omega, [-rate[1], rate[0], 0.0]));
-        let swept = plus(times(omega, [-arm[1], arm[0], 0.0]), rate);
+        // ω × (ω × A d) + 2 ω × A ḋ + A d̈.
+        let around = cross(frame.spin, arm);
+        let turning = plus(cross(frame.spin, around), times(2.0, cross(frame.spin, rate)));
+        let swept = plus(around, rate);
         let bias = plus(turning, turned(&frame.axes, [faster, 0.0, 0.0]));
         Moved { arm, columns, velocity: plus(frame.velocity, swept), bias }
     }
 
     /// M of the body, full, row by row.
     pub fn mass(&self, frame: &Frame, modal: &[[f64; 2]], mut put: impl FnMut(usize, usize, f64)) {
-        let width = 3 + self.modes.len();
+        let width = self.pose() + self.modes.len();
+        if self.spatial {
+            put(3, 3, self.spin);
+        }
         for slice in &self.slices {
             let Moved { columns, .. } = self.moved(frame, slice, modal);
             for (i, one) in columns[..width].iter().enumerate() {
@@ -250,12 +313,17 @@ impl Beam {
         for slice in &self.slices {
             let Moved { columns, bias, .. } = self.moved(frame, slice, modal);
             let pull = times(slice.share * self.mass, plus(gravity, times(-1.0, bias)));
-            for (force, column) in forces[..3 + self.modes.len()].iter_mut().zip(&columns) {
+            for (force, column) in forces[..self.pose() + self.modes.len()].iter_mut().zip(&columns) {
                 *force += dot(*column, pull);
             }
         }
+        if self.spatial {
+            let omega = turned_back(&frame.axes, frame.spin);
+            let gyroscopic = cross([self.spin * omega[0], 0.0, 0.0], omega);
+            (0..3).for_each(|k| forces[3 + k] += gyroscopic[k]);
+        }
         for (mode, [p, rate]) in modal.iter().enumerate() {
-            forces[3 + mode] -= self.stiffness[mode] * p + self.damping[mode] * rate;
+            forces[self.pose() + mode] -= self.stiffness[mode] * p + self.damping[mode] * rate;
         }
     }
 
@@ -264,7 +332,13 @@ impl Beam {
             let Moved { velocity, .. } = self.moved(frame, slice, modal);
             0.5 * slice.share * self.mass * dot(velocity, velocity)
         });
-        of.sum()
+        let about = dot(column(&frame.axes, 0), frame.spin);
+        of.sum::<f64>() + 0.5 * if self.spatial { self.spin * about * about } else { 0.0 }
+    }
+
+    /// Velocities of the frame.
+    fn pose(&self) -> usize {
+        if self.spatial { 6 } else { 3 }
     }
 
     pub fn potential(&self, frame: &Frame, modal: &[[f64; 2]], gravity: V3) -> f64 {

@@ -6,6 +6,7 @@
 //! | planar particle | x, y | ẋ, ẏ |
 //! | beam | x, y of the origin of its frame, θ, modes | ẋ, ẏ, ω, rates of modes |
 //! | spatial | x, y, z, Euler parameters (w, x, y, z) | ẋ, ẏ, ż, ω in body axes |
+//! | beam in space | as spatial, of the origin of its frame, then modes | as spatial, then rates of modes |
 //! | spatial particle | x, y, z | ẋ, ẏ, ż |
 //!
 //! Behind the bodies of space q has the angles of joints over several turns, which choose whole turns and nothing else, and behind
@@ -60,20 +61,33 @@ impl Slot {
     }
 
     fn positions(&self) -> usize {
-        if self.kind == Kind::Space { 7 } else { self.width() }
+        if self.kind == Kind::Space { 7 + self.modes } else { self.width() }
+    }
+
+    /// Where the modes of a beam begin in q and in v.
+    pub fn modal(&self) -> [usize; 2] {
+        let pose = self.pose();
+        [self.q + if self.kind == Kind::Space { pose + 1 } else { pose }, self.v + pose]
     }
 
     /// Adds a gradient, or a force and torque, to the entries of the body's velocities; of a beam with its modes.
     pub fn add(&self, frame: &Frame, bent: Option<Bent>, pull: &Pull, entries: &mut [f64]) {
+        let first = self.pose();
         if let Some((mode, along)) = pull.mode {
-            entries[3 + mode] += along;
+            entries[first + mode] += along;
         }
         if let (Some((beam, modal)), Some(x)) = (bent, pull.on_axis) {
             let along = turned_back(&frame.axes, pull.linear);
+            let about = turned_back(&frame.axes, pull.section);
             let (_, drawn) = beam.drawn_in(&beam.gammas(x), modal);
             for (mode, drawn) in drawn.into_iter().enumerate().take(self.modes) {
                 let moved = beam.value(mode, x) * along[beam.axis(mode)] + drawn * along[0];
-                entries[3 + mode] += moved + beam.slope(mode, x) * pull.section;
+                entries[first + mode] += moved;
+                if self.kind == Kind::Space {
+                    entries[first + mode] += dot(beam.turning(x, modal).columns[mode], about);
+                } else {
+                    entries[first + mode] += beam.slope(mode, x) * about[2];
+                }
             }
         }
         let [x, y, z] = pull.linear;
@@ -155,7 +169,8 @@ impl Coordinates {
         for slot in &self.slots {
             let frame = slot.frame(&q[slot.q..], &v[slot.v..])?;
             at.frames.push(Frame { modes: at.modal.len(), ..frame });
-            at.modal.extend((0..slot.modes).map(|mode| [q[slot.q + 3 + mode], v[slot.v + 3 + mode]]));
+            let [first_q, first_v] = slot.modal();
+            at.modal.extend((0..slot.modes).map(|mode| [q[first_q + mode], v[first_v + mode]]));
         }
         at.counted.clear();
         at.counted.extend_from_slice(&q[self.counted..self.internal]);
@@ -174,6 +189,8 @@ impl Coordinates {
                 let omega = [0.0, v[slot.v + 3], v[slot.v + 4], v[slot.v + 5]];
                 let rate = quaternion_product(parameters(positions), omega);
                 rates[slot.q + 3..slot.q + 7].iter_mut().zip(rate).for_each(|(to, x)| *to = 0.5 * x);
+                let [to, from] = slot.modal();
+                rates[to..to + slot.modes].copy_from_slice(&v[from..from + slot.modes]);
             }
         }
     }
@@ -189,6 +206,8 @@ impl Coordinates {
                 let turn = [3, 4, 5].map(|k| delta[slot.v + k]);
                 let p = quaternion_product(parameters(&q[slot.q..]), quaternion_of_turn(turn));
                 q[slot.q + 3..slot.q + 7].copy_from_slice(&p);
+                let [to, from] = slot.modal();
+                (0..slot.modes).for_each(|mode| q[to + mode] += delta[from + mode]);
             }
         }
         self.normalise(q);

@@ -72,6 +72,17 @@ impl Section {
     }
 }
 
+/// How a body, or a section of a beam in space, is turned and turns.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Turned {
+    /// World ← it.
+    pub axes: M3,
+    /// ω, world.
+    pub spin: V3,
+    /// ω̇ at v̇ = 0, world: none of a body.
+    pub faster: V3,
+}
+
 /// The motion of all bodies at one time.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Kinematics {
@@ -150,6 +161,27 @@ impl Kinematics {
             velocity: plus(frame.velocity, plus(swept, moved)),
             bias: plus(faster, plus(cross(frame.spin, swept), times(2.0, cross(frame.spin, moved)))),
             on_axis: Some(x),
+        }
+    }
+
+    /// What turns at a place: the section of a beam there, else the body.
+    pub fn section(&self, place: &Place) -> Section {
+        let on_axis = place.body.is_some_and(|body| self.beam(body).is_some()) && !place.of_mean;
+        Section { body: place.body, x: on_axis.then_some(place.local[0]) }
+    }
+
+    /// Of a body, or in space of a section: A R and ω + A R ω′ with the turn R and its rate ω′ against the body.
+    pub fn turned(&self, section: Section) -> Turned {
+        let frame = self.frame(section.body);
+        let whole = Turned { axes: frame.axes, spin: frame.spin, faster: ZERO };
+        let (Some(body), Some(x)) = (section.body, section.x) else { return whole };
+        let Some(beam) = self.beam(body).filter(|beam| beam.spatial) else { return whole };
+        let turning = beam.turning(x, self.modes(body, beam));
+        let own = turned(&frame.axes, turning.rate);
+        Turned {
+            axes: product(&frame.axes, &turning.matrix),
+            spin: plus(frame.spin, own),
+            faster: plus(turned(&frame.axes, turning.faster), cross(frame.spin, own)),
         }
     }
 

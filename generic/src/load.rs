@@ -176,16 +176,12 @@ impl Load {
             }
             Acts::Friction(friction) => friction.power(at, inputs, scratch),
             Acts::Rubbing(rubbing) => rubbing.power(at, inputs, scratch),
-            Acts::Force { place, .. } | Acts::Directed { place, .. } if place.body.is_none() => {
+            Acts::Force { place, .. } | Acts::Directed { place, .. } => {
                 let mut force = [0.0; 3];
                 self.evaluate(at, inputs, scratch, |pull| force = pull.linear);
                 dot(force, at.point(place).velocity)
             }
-            Acts::Force { .. }
-            | Acts::Directed { .. }
-            | Acts::Torque { .. }
-            | Acts::Cable(_)
-            | Acts::Mesh(_) => {
+            Acts::Torque { .. } | Acts::Cable(_) | Acts::Mesh(_) => {
                 let mut power = 0.0;
                 self.evaluate(at, inputs, scratch, |pull| {
                     let frame = at.frame(pull.body);

@@ -23,6 +23,7 @@ use std::collections::HashMap;
 /// | planar | x, y of the centre of mass, θ over several turns | ẋ, ẏ, ω |
 /// | planar particle | x, y | ẋ, ẏ |
 /// | beam | x, y of the origin of its frame, θ, modes | ẋ, ẏ, ω, rates of modes |
+/// | beam in space | as spatial, of the origin of its frame, then modes | as spatial, then rates of modes |
 /// | spatial | x, y, z, Euler parameters (w, x, y, z) | ẋ, ẏ, ż, ω in body axes |
 /// | spatial particle | x, y, z | ẋ, ẏ, ż |
 ///
@@ -249,7 +250,8 @@ impl Mechanism {
     pub fn set_mode(&self, state: &mut State, name: &str, value: f64, rate: f64) -> Result<(), Error> {
         let (slot, mode) = self.mode(name)?;
         self.check_state(&state.q, &state.v)?;
-        (state.q[slot.q + 3 + mode], state.v[slot.v + 3 + mode]) = (value, rate);
+        let [q, v] = slot.modal();
+        (state.q[q + mode], state.v[v + mode]) = (value, rate);
         Ok(())
     }
 
@@ -260,7 +262,7 @@ impl Mechanism {
     pub fn mode_acceleration(&self, name: &str, a: &[f64]) -> Result<f64, Error> {
         let (slot, mode) = self.mode(name)?;
         check_length("accelerations", a.len(), self.coordinates.velocities)?;
-        Ok(a[slot.v + 3 + mode])
+        Ok(a[slot.modal()[1] + mode])
     }
 
     fn mode(&self, name: &str) -> Result<(Slot, usize), Error> {

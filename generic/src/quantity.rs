@@ -17,8 +17,8 @@ pub(crate) enum Quantity {
     Gap { first: Place, second: Place, axis: usize },
     /// a · (p₂ − p₁), a fixed to the first body.
     Along { axis: V3, first: Place, second: Place },
-    /// a · b, a fixed to the first body and b to the second.
-    Dot { first: Option<usize>, a: V3, second: Option<usize>, b: V3 },
+    /// a · b, a fixed to the first body or section and b to the second.
+    Dot { first: Section, a: V3, second: Section, b: V3 },
     /// θ₂ − θ₁ of planar bodies, or of sections of beams.
     PlaneAngle { first: Section, second: Section },
     /// Across of the directions A (1, σ) of two sections, the first turned on by an angle: (σ₂ − σ₁) cos δ + (1 + σ₁ σ₂) sin δ.
@@ -26,7 +26,7 @@ pub(crate) enum Quantity {
     /// A mode of a beam.
     Mode { body: usize, mode: usize },
     /// From x₁ to x₂ about z₁, over several turns.
-    Angle { first: Option<usize>, axes_1: M3, second: Option<usize>, axes_2: M3, counted: usize },
+    Angle { first: Section, axes_1: M3, second: Section, axes_2: M3, counted: usize },
     /// The first or second angle of a universal joint.
     Universal { joint: Box<Universal>, which: usize, counted: usize },
     /// |p₂ − p₁|.
@@ -36,9 +36,9 @@ pub(crate) enum Quantity {
 /// A₂B₂ = A₁B₁ Rot(a, angle_1) Rot(s, angle_2); a and s in the axes of both places alike.
 #[derive(Clone, Debug)]
 pub(crate) struct Universal {
-    pub first: Option<usize>,
+    pub first: Section,
     pub axes_1: M3,
-    pub second: Option<usize>,
+    pub second: Section,
     pub axes_2: M3,
     pub a: V3,
     pub s: V3,
@@ -52,8 +52,8 @@ pub(crate) struct Pull {
     pub angular: V3,
     /// Where on the axis of a beam.
     pub on_axis: Option<f64>,
-    /// About z along the turn of the section there.
-    pub section: f64,
+    /// Along the turn of the section there against its body, world axes.
+    pub section: V3,
     /// Along a mode alone.
     pub mode: Option<(usize, f64)>,
 }
@@ -61,14 +61,14 @@ pub(crate) struct Pull {
 impl Pull {
     /// On a body as a whole.
     pub fn on(body: Option<usize>, linear: V3, angular: V3) -> Self {
-        Pull { body, linear, angular, on_axis: None, section: 0.0, mode: None }
+        Pull { body, linear, angular, on_axis: None, section: ZERO, mode: None }
     }
 
     pub fn scaled(self, factor: f64) -> Self {
         Pull {
             linear: times(factor, self.linear),
             angular: times(factor, self.angular),
-            section: factor * self.section,
+            section: times(factor, self.section),
             mode: self.mode.map(|(mode, along)| (mode, factor * along)),
             ..self
         }
@@ -83,7 +83,7 @@ pub(crate) struct Jet {
 }
 
 const NOTHING: Pull =
-    Pull { body: None, linear: ZERO, angular: ZERO, on_axis: None, section: 0.0, mode: None };
+    Pull { body: None, linear: ZERO, angular: ZERO, on_axis: None, section: ZERO, mode: None };
 
 /// d · p.
 pub(crate) fn of_point(point: &Point, direction: V3) -> Pull {
@@ -91,13 +91,14 @@ pub(crate) fn of_point(point: &Point, direction: V3) -> Pull {
     Pull { on_axis: point.on_axis, ..pull }
 }
 
-/// About z on a body and on the turn of a section of it.
-fn of_section(section: Section, along: f64) -> Pull {
-    Pull { on_axis: section.x, section: along, ..of_spin(section.body, [0.0, 0.0, along]) }
+/// On a body and on the turn of a section of it.
+fn of_spin(section: Section, direction: V3) -> Pull {
+    Pull { on_axis: section.x, section: direction, ..Pull::on(section.body, ZERO, direction) }
 }
 
-fn of_spin(body: Option<usize>, direction: V3) -> Pull {
-    Pull::on(body, ZERO, direction)
+/// The same about z.
+fn of_section(section: Section, along: f64) -> Pull {
+    of_spin(section, [0.0, 0.0, along])
 }
 
 impl Quantity {
@@ -112,8 +113,10 @@ impl Quantity {
                 [first.body, second.body]
             }
             Quantity::Mode { body, .. } => [Some(*body), None],
-            Quantity::Dot { first, second, .. } | Quantity::Angle { first, second, .. } => [*first, *second],
-            Quantity::Universal { joint, .. } => [joint.first, joint.second],
+            Quantity::Dot { first, second, .. } | Quantity::Angle { first, second, .. } => {
+                [first.body, second.body]
+            }
+            Quantity::Universal { joint, .. } => [joint.first.body, joint.second.body],
         }
     }
 
@@ -137,7 +140,7 @@ impl Quantity {
                     pulls: [of_point(&p, unit_axis(k)), of_point(&q, times(-1.0, unit_axis(k)))],
                 }
             }
-            Quantity::Along { axis, first, second } => along(at, *axis, &at.point(first), &at.point(second)),
+            Quantity::Along { axis, first, second } => along(at, *axis, first, second),
             Quantity::Dot { first, a, second, b } => dot_product(at, (*first, *a), (*second, *b)),
             Quantity::PlaneAngle { first, second } => {
                 let (one, other) = (at.frame(first.body), at.frame(second.body));
@@ -158,16 +161,16 @@ impl Quantity {
                 Jet { along: Taylor { value, rate, bias: 0.0 }, pulls: [pull, NOTHING] }
             }
             Quantity::Angle { first, axes_1, second, axes_2, counted } => {
-                let (one, other) = (at.frame(*first), at.frame(*second));
+                let (one, other) = (at.turned(*first), at.turned(*second));
                 let (e1, e2) = (product(&one.axes, axes_1), product(&other.axes, axes_2));
                 let [x1, y1, z1] = [0, 1, 2].map(|k| column(&e1, k));
                 let (x2, z2) = (column(&e2, 0), column(&e2, 2));
-                // Each body's rate about its own axis: constant in its axes, so that nothing else is left of f̈.
+                // Each body's rate about its own axis: constant in its axes, so that of f̈ there is left what sections do by themselves.
                 Jet {
                     along: Taylor {
                         value: nearest(dot(y1, x2).atan2(dot(x1, x2)), at.counted[*counted]),
                         rate: dot(z2, other.spin) - dot(z1, one.spin),
-                        bias: 0.0,
+                        bias: dot(z2, other.faster) - dot(z1, one.faster),
                     },
                     pulls: [of_spin(*first, times(-1.0, z1)), of_spin(*second, z2)],
                 }
@@ -179,8 +182,9 @@ impl Quantity {
 }
 
 /// f = a·Δ: ḟ = (ω₁ × a)·Δ + a·Δ̇, f̈ = (ω₁ × (ω₁ × a))·Δ + 2 (ω₁ × a)·Δ̇ + a·Δ̈ + (α₁ × a)·Δ.
-fn along(at: &Kinematics, axis: V3, first: &Point, second: &Point) -> Jet {
-    let frame = at.frame(first.body);
+fn along(at: &Kinematics, axis: V3, from: &Place, to: &Place) -> Jet {
+    let (first, second) = (&at.point(from), &at.point(to));
+    let frame = at.turned(at.section(from));
     let a = turned(&frame.axes, axis);
     let (delta, delta_rate) =
         (minus(second.position, first.position), minus(second.velocity, first.velocity));
@@ -190,17 +194,20 @@ fn along(at: &Kinematics, axis: V3, first: &Point, second: &Point) -> Jet {
         along: Taylor {
             value: dot(a, delta),
             rate: dot(a_rate, delta) + dot(a, delta_rate),
-            bias: dot(cross(frame.spin, a_rate), delta)
+            bias: dot(plus(cross(frame.faster, a), cross(frame.spin, a_rate)), delta)
                 + 2.0 * dot(a_rate, delta_rate)
                 + dot(a, minus(second.bias, first.bias)),
         },
-        pulls: [Pull { angular: plus(back.angular, cross(a, delta)), ..back }, of_point(second, a)],
+        pulls: [
+            Pull { angular: plus(back.angular, cross(a, delta)), section: cross(a, delta), ..back },
+            of_point(second, a),
+        ],
     }
 }
 
 /// f = a·b: ḟ = (ω₁ − ω₂)·(a × b), f̈ = (ω₁ × (ω₁ × a))·b + 2 (ω₁ × a)·(ω₂ × b) + a·(ω₂ × (ω₂ × b)) + (α₁ − α₂)·(a × b).
-fn dot_product(at: &Kinematics, first: (Option<usize>, V3), second: (Option<usize>, V3)) -> Jet {
-    let (one, other) = (at.frame(first.0), at.frame(second.0));
+fn dot_product(at: &Kinematics, first: (Section, V3), second: (Section, V3)) -> Jet {
+    let (one, other) = (at.turned(first.0), at.turned(second.0));
     let (a, b) = (turned(&one.axes, first.1), turned(&other.axes, second.1));
     let (a_rate, b_rate) = (cross(one.spin, a), cross(other.spin, b));
     let normal = cross(a, b);
@@ -210,7 +217,8 @@ fn dot_product(at: &Kinematics, first: (Option<usize>, V3), second: (Option<usiz
             rate: dot(a_rate, b) + dot(a, b_rate),
             bias: dot(cross(one.spin, a_rate), b)
                 + 2.0 * dot(a_rate, b_rate)
-                + dot(a, cross(other.spin, b_rate)),
+                + dot(a, cross(other.spin, b_rate))
+                + dot(minus(one.faster, other.faster), normal),
         },
         pulls: [of_spin(first.0, normal), of_spin(second.0, times(-1.0, normal))],
     }
@@ -230,7 +238,10 @@ fn sections(at: &Kinematics, first: Section, second: Section, angle: f64) -> Jet
     let rate = across_rate * cos + level_rate * sin + by_turn * turning;
     let bias =
         level_bias * sin + 2.0 * (level_rate * cos - across_rate * sin) * turning - value * turning * turning;
-    let pull = |section: Section, turn: f64, slope: f64| Pull { section: slope, ..of_section(section, turn) };
+    let pull = |section: Section, turn: f64, slope: f64| Pull {
+        section: [0.0, 0.0, slope],
+        ..of_section(section, turn)
+    };
     let pulls = [pull(first, -by_turn, s2 * sin - cos), pull(second, by_turn, cos + s1 * sin)];
     Jet { along: Taylor { value, rate, bias }, pulls }
 }
@@ -271,7 +282,7 @@ impl Universal {
     /// s has turned about a by angle_1 as seen from the first, a about s by −angle_2 as seen from the second; the rates are those of
     /// ω₂ − ω₁ along a, fixed to the first, and along s, fixed to the second.
     fn jet(&self, at: &Kinematics, which: usize, counted: f64) -> Jet {
-        let (one, other) = (at.frame(self.first), at.frame(self.second));
+        let (one, other) = (at.turned(self.first), at.turned(self.second));
         let (e1, e2) = (product(&one.axes, &self.axes_1), product(&other.axes, &self.axes_2));
         let relative = minus(other.spin, one.spin);
         let (angle, axis, axis_rate) = if which == 0 {
@@ -287,7 +298,7 @@ impl Universal {
             along: Taylor {
                 value: nearest(angle, counted),
                 rate: dot(axis, relative),
-                bias: dot(axis_rate, relative),
+                bias: dot(axis_rate, relative) + dot(axis, minus(other.faster, one.faster)),
             },
             pulls: [of_spin(self.first, times(-1.0, axis)), of_spin(self.second, axis)],
         }
@@ -359,7 +370,7 @@ mod tests {
             Quantity::Coordinate { place: first.clone(), axis: 1 },
             Quantity::Gap { first: first.clone(), second: second.clone(), axis: 2 },
             Quantity::Along { axis: a, first: first.clone(), second: second.clone() },
-            Quantity::Dot { first: Some(0), a, second: Some(1), b },
+            Quantity::Dot { first: Section::whole(Some(0)), a, second: Section::whole(Some(1)), b },
             Quantity::Length { first: first.clone(), second: second.clone() },
         ];
         for quantity in &quantities {

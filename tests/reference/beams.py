@@ -1,6 +1,7 @@
 """Beams: shapes by their textbook formulas, and everything else by quadrature along the axis.
 
-A point of the axis at x (from the frame's origin) is at (x + Σ N_a p_a, Σ N_b p_b) in the frame. No integral of shapes over the
+A point of the axis at x (from the frame's origin) is at (x + Σ N_a p_a, Σ N_b p_b) in the frame, in space with a third component of
+the same kind, where a section is turned by the rotation of (1 − c̃)⁻¹ (1 + c̃), c half of (0, −Σ N′ p_z, Σ N′ p_y). No integral of shapes over the
 mass is formed: energies are sums over slices, each with its position, whose rates come from automatic differentiation.
 With `stiffening` bending draws a place in by ½ Σ Γ_jk p_j p_k, Γ_jk = ∫ N_j′ N_k′ dx.
 Shapes (Blevins, Formulas for Natural Frequency and Mode Shape, tables 8-1 and 8-16) are written here so that no
@@ -14,6 +15,7 @@ import casadi as ca
 import numpy as np
 
 from expressions import entry
+from space_frames import tilde
 
 SLICES = 24
 
@@ -26,34 +28,38 @@ class Beam:
         self.length = float(ca.evalf(ca.SX(given["length"])))
         self.shapes = beam["shapes"]
         self.start = -self.length / 2 if self.shapes == "free" else 0.0
-        self.axial, self.bending = beam["axial"], beam["bending"]
+        self.dimension = model.dimension
+        across = ["bending"] if self.dimension == 2 else ["bending_y", "bending_z"]
+        self.axial = beam["axial"]
         self.polynomials = {}
         if self.shapes == "static":
-            self.polynomials["bending"] = _polynomials(self.bending, 2)
+            self.polynomials |= {way: _polynomials(beam[way], 2) for way in across}
         if self.shapes == "static" or beam.get("quadratic"):
             self.polynomials["axial"] = _polynomials(self.axial, 1)
-        self.names = [f"axial[{k}]" for k in range(self.axial)] + [f"bending[{k}]" for k in range(self.bending)]
+        self.names = [f"{way}[{k}]" for way in ["axial", *across] for k in range(beam[way])]
+        self.directions = [["axial", *across].index(name.split("[")[0]) for name in self.names]
         section = beam.get("section")
         if section:
             lengths = {name: entry(value, model) for name, value in section.items() if name != "kind"}
-            self.area, second_moment = SECTIONS[section["kind"]](**lengths)
+            self.area, *moments = SECTIONS[section["kind"]](**lengths)
         else:
-            self.area, second_moment = given["area"], given["second_moment"]
-        self.rigidity = {"axial": given["young"] * self.area, "bending": given["young"] * second_moment}
+            words = ["second_moment"] if self.dimension == 2 else ["second_moment_z", "second_moment_y"]
+            self.area, moments = given["area"], [given[word] for word in words]
+        self.rigidity = {way: given["young"] * moment for way, moment in zip(across, moments)}
+        self.rigidity["axial"] = given["young"] * self.area
+        self.polar = sum(moments) / self.area  # m² about the axis
         self.ratio = given.get("damping_ratio", ca.SX(0))
         self.stiffening = beam.get("stiffening", False)
         # The frame of free shapes stays in the centre of mass.
         mean = lambda j, k: sum(share * self._integral(j, k, x) for x, share in self.slices())
         bending = range(self.axial, len(self.names)) if self.stiffening else ()
-        self.drawn = {(j, k): mean(j, k) if self.shapes == "free" else 0.0 for j in bending for k in bending}
+        pairs = [(j, k) for j in bending for k in bending if self.directions[j] == self.directions[k]]
+        self.drawn = {pair: mean(*pair) if self.shapes == "free" else 0.0 for pair in pairs}
 
     def points(self):
         middle = self.start + self.length / 2
-        return {
-            "start": ca.vertcat(self.start, 0),
-            "center": ca.vertcat(middle, 0),
-            "end": ca.vertcat(self.start + self.length, 0),
-        }
+        on_axis = lambda x: ca.vertcat(x, ca.SX.zeros(self.dimension - 1))
+        return {"start": on_axis(self.start), "center": on_axis(middle), "end": on_axis(self.start + self.length)}
 
     def slices(self):
         """x and share of the mass of each."""
@@ -67,15 +73,24 @@ class Beam:
         if way in self.polynomials:
             value = self.polynomials[way][int(number)].deriv(order)(xi) if order else self.polynomials[way][int(number)](xi)
         else:
-            value = SHAPES[self.shapes, way](int(number), xi, order)
+            value = SHAPES[self.shapes, way.split("_")[0]](int(number), xi, order)
         # What is held does not move at all, and rounding of it is nothing to compare.
         return 0.0 if abs(value) < 1e-12 else value / self.length**order
 
     def deformed(self, x, p):
         """Where the point of the axis at x is in the frame."""
-        along = sum((self.shape(k, x, 0) * p[k] for k in range(self.axial)), ca.SX(x))
-        across = sum((self.shape(k, x, 0) * p[k] for k in range(self.axial, len(self.names))), ca.SX(0))
-        return ca.vertcat(along - self._drawn_in(x, p), across)
+        at = [x - self._drawn_in(x, p), *[ca.SX(0)] * (self.dimension - 1)]
+        for k, direction in enumerate(self.directions):
+            at[direction] += self.shape(k, x, 0) * p[k]
+        return ca.vertcat(*at)
+
+    def turned(self, x, p):
+        """The section at x in space against the frame: Cayley's rotation with the slopes as its first order."""
+        rises = [ca.SX(0)] * 3
+        for k, direction in enumerate(self.directions):
+            rises[direction] += self.slope_of(k, x) * p[k]
+        half = ca.vertcat(0, -rises[2], rises[1]) / 2
+        return ca.simplify(ca.mtimes(ca.inv(ca.SX.eye(3) - tilde(half)), ca.SX.eye(3) + tilde(half)))
 
     def _drawn_in(self, x, p):
         """By how much bending moves the point of the axis at x towards the start: half the integral of the slope's square."""
@@ -99,7 +114,7 @@ class Beam:
 
     def stiffness(self, mode):
         """∫ EA N′² dx or ∫ EI N″² dx."""
-        order, way = (1, "axial") if mode < self.axial else (2, "bending")
+        order, way = 1 if mode < self.axial else 2, self.names[mode].split("[")[0]
         integral = self.length * sum(weight * self.shape(mode, x, order) ** 2 for x, weight in self.slices())
         return self.rigidity[way] * integral
 
@@ -132,10 +147,11 @@ def _polynomials(count, order):
     return found
 
 
+# Area, second moments about z and about y.
 SECTIONS = {
-    "circle": lambda diameter: (ca.pi * diameter**2 / 4, ca.pi * diameter**4 / 64),
-    "tube": lambda outer, inner: (ca.pi * (outer**2 - inner**2) / 4, ca.pi * (outer**4 - inner**4) / 64),
-    "rectangle": lambda height, width: (height * width, width * height**3 / 12),
+    "circle": lambda diameter: (ca.pi * diameter**2 / 4, *[ca.pi * diameter**4 / 64] * 2),
+    "tube": lambda outer, inner: (ca.pi * (outer**2 - inner**2) / 4, *[ca.pi * (outer**4 - inner**4) / 64] * 2),
+    "rectangle": lambda height, width: (height * width, width * height**3 / 12, height * width**3 / 12),
 }
 
 

@@ -36,8 +36,8 @@ class SpaceAbsoluteSystem(AbsoluteSystem):
             "dropped_jacobian": ca.jacobian(kinematics.rate(dropped), kinematics.v),
         }
 
-    def evaluate(self, states, bodies, angles):
-        q, v, a = self.kinematics.from_bodies(states, bodies, angles)
+    def evaluate(self, states, bodies, angles, modes=None):
+        q, v, a = self.kinematics.from_bodies(states, bodies, angles, modes)
         results = self.evaluator(*given(states), q, v)
         return {name: result.dense() for name, result in results.items()}, v, a
 
@@ -87,7 +87,8 @@ class SpaceConsistentCheck(ConsistentCheck):
     background = 0.1  # gyroscopic terms cancel: where nothing acts, Q is their rounding
 
     def system_state(self, placed, angles):
-        return self.system.evaluate(self.states, placed, angles)
+        modes = self.own.layout.mode_values(self.states["q"], self.states["v"], self.acceleration)
+        return self.system.evaluate(self.states, placed, angles, modes)
 
     def compare_further(self):
         """Lengths of pairs and quaternions, roots, rows that were dropped, rates of counted angles."""

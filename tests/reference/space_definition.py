@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
+from beams import Beam
 from definition import Body, Model, Place
 from expressions import entry, in_unit, pair
 from space_frames import canonical_frame, cleaned, frame_about, turn_about
@@ -95,6 +96,14 @@ class SpaceModel(Model):
             points["start"] = ca.vertcat(-given["length"] / 2, 0, 0)
             points["end"] = ca.vertcat(given["length"] / 2, 0, 0)
         axes = {marker["name"]: self._marker_axes(marker) for marker in markers}
+        if kind == "beam":
+            # Referred to the origin of its frame; its mass is in its slices, but what turns about its own axis.
+            beam = Beam(body, given, self)
+            points |= beam.points()
+            mass = given["mass"] if "mass" in given else given["density"] * beam.area * beam.length
+            spin = ca.diag(ca.vertcat(mass * beam.polar, 0, 0))
+            points["origin"] = ca.SX.zeros(3)
+            return Body(name, False, mass, spin, ca.SX.zeros(3), points, axes, beam=beam)
         if ("mass" in given) == ("density" in given):
             raise ValueError(f"{self.title}: body `{name}` needs exactly one of mass and density")
         mass = given["mass"] if "mass" in given else given["density"] * _volume(kind, given, vectors)

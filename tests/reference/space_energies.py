@@ -1,6 +1,7 @@
 """Equations of motion of spatial mechanisms: Lagrange's equations in the redundant q, projected with q̇ = N(q) v.
 
     T(q, q̇, t) = Σ ½ m |ṙ|² + ½ tr(Ȧ S Ȧᵀ),   S = ½ tr(J) 1 − J = ∫ x xᵀ dm in body axes about the centre of mass,
+    of beams slice by slice, with a tensor that has what turns about the axis alone,
     M = Nᵀ (∂²T/∂q̇²) N,   Q = loads − Nᵀ ∂V/∂q − Nᵀ [(d/dt ∂T/∂q̇ at v̇ = 0) − ∂T/∂q].
 Ȧ is ∂A/∂q q̇, so no angular velocity occurs. Admissible variations are δq = N δπ, tangent to the unit circles and
 spheres of the pairs and quaternions, so that T may be continued off them in any way: the reactions of the norms'
@@ -20,16 +21,22 @@ class SpaceEnergies(Energies):
         kinematics, bodies = self.kinematics, self.model.bodies
         self.q_dot = ca.SX.sym("q_dot", kinematics.q.numel())
         poses = [kinematics.poses[name] for name in bodies]
-        place = ca.vertcat(*[ca.vertcat(pose.position, ca.vec(ca.SX(pose.matrix))) for pose in poses])
+        slices = [(body.mass * share, self._slice(name, x)) for name, body in bodies.items() if body.beam for x, share in body.beam.slices()]
+        place = [ca.vertcat(pose.position, ca.vec(ca.SX(pose.matrix))) for pose in poses]
+        place = ca.vertcat(*place, *[at for _, at in slices])
         rates = ca.jtimes(place, kinematics.q, self.q_dot) + kinematics.explicit_rate(place)
         energy = ca.SX(0)
         for index, body in enumerate(bodies.values()):
             own = rates[12 * index : 12 * index + 12]
-            energy += body.mass * ca.dot(own[:3], own[:3]) / 2
+            if not body.beam:
+                energy += body.mass * ca.dot(own[:3], own[:3]) / 2
             if not body.particle:
                 turning = ca.reshape(own[3:], 3, 3)
                 moments = cleaned(ca.trace(body.inertia) / 2 * ca.SX.eye(3) - body.inertia)
                 energy += ca.trace(ca.mtimes(ca.mtimes(turning, moments), turning.T)) / 2
+        for index, (mass, _) in enumerate(slices):
+            own = rates[12 * len(bodies) + 3 * index : 12 * len(bodies) + 3 * index + 3]
+            energy += mass * ca.dot(own, own) / 2
         self.redundant = energy
         return ca.substitute(energy, self.q_dot, kinematics.q_rate(kinematics.v))
 

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from kinematics import Kinematics, Row
+from kinematics import Kinematics, Row, number
 from space_definition import ANGLES, TRAVELS
 from space_frames import cleaned, vee
 
@@ -46,6 +46,27 @@ class SpaceKinematics(Kinematics):
     def pose(self, body):
         return GROUND if body is None else self.poses[body]
 
+    def section(self, place):
+        """World ← what a place belongs to: its body, or the section of a beam there."""
+        beam = self.beam(place.body)
+        if beam is None or place.of_mean:
+            return self.pose(place.body).matrix
+        return ca.mtimes(self.pose(place.body).matrix, self.turned(place))
+
+    def turned(self, place):
+        """Body ← section."""
+        beam = self.beam(place.body)
+        if beam is None or place.of_mean:
+            return ca.SX.eye(3)
+        return beam.turned(number(place.local[0]), self.modes[place.body][0])
+
+    def turning(self, place):
+        """The angular velocity of what a place belongs to, in its axes."""
+        if self.beam(place.body) is None or place.of_mean:
+            return self.omega(place.body)
+        a = self.section(place)
+        return vee(ca.mtimes(a.T, ca.reshape(self.rate(ca.vec(a)), 3, 3)))
+
     def omega(self, body):
         """Body axes."""
         if body is None or self.model.bodies[body].particle:
@@ -63,12 +84,12 @@ class SpaceKinematics(Kinematics):
     # Quantities of joints.
 
     def place_axes(self, place):
-        return ca.mtimes(self.pose(place.body).matrix, place.axes)
+        return ca.mtimes(self.section(place), place.axes)
 
     def frames(self, joint):
         """E1 and E2."""
         for place in (joint.first, joint.second):
-            yield ca.mtimes(self.pose(place.body).matrix, cleaned(ca.mtimes(place.axes, joint.frame)))
+            yield ca.mtimes(self.section(place), cleaned(ca.mtimes(place.axes, joint.frame)))
 
     def span(self, joint):
         return self.position(joint.second) - self.position(joint.first)
@@ -107,9 +128,10 @@ class SpaceKinematics(Kinematics):
         self._check_angle(joint, which)
         first, second = joint.first, joint.second
         if joint.kind != "universal":
-            along = [ca.dot(ca.mtimes(p.axes, joint.axis), self.omega(p.body)) for p in (first, second)]
+            along = [ca.dot(ca.mtimes(p.axes, joint.axis), self.turning(p)) for p in (first, second)]
             return along[1] - along[0]
-        relative = self.spin(second.body) - self.spin(first.body)
+        second_spin, first_spin = (ca.mtimes(self.section(p), self.turning(p)) for p in (second, first))
+        relative = second_spin - first_spin
         if which == "angle_1":
             return ca.dot(ca.mtimes(self.place_axes(first), joint.axis), relative)
         return ca.dot(ca.mtimes(self.place_axes(second), joint.second_axis), relative)

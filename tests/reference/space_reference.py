@@ -1,6 +1,7 @@
 """Absolute equations of a spatial mechanism in an order of the script's own, with the rows that a set has.
 
-    q = [x, y, z per body | quaternion per rigid body | offset per joint angle],  v = [ẋ, ẏ, ż per body | ω per rigid].
+    q = [x, y, z per body | modes | quaternion per rigid body | offset per joint angle],
+    v = [ẋ, ẏ, ż per body | rates of modes | ω per rigid body].
 
 A counted angle is its principal value from the axes of the two bodies plus a constant offset; so it is derived here
 without the exported rates. The rows are those of the joints that the exported tree stands on and those exported (in
@@ -24,9 +25,11 @@ class SpaceAbsolute(SpaceTree):
         ]
         self.body_names = list(model.bodies)
         self.rigid = [name for name, body in model.bodies.items() if not body.particle]
+        self.bent = [(mode, name) for name, body in model.bodies.items() if body.beam for mode in body.beam.names]
         own = {
             "tree": [{"body": name, "joint": None, "parent": "ground"} for name in self.body_names],
-            "linear": [{"kind": kind, "of": name} for name in self.body_names for kind in "xyz"],
+            "linear": [{"kind": kind, "of": name} for name in self.body_names for kind in "xyz"]
+            + [{"kind": mode, "of": name} for mode, name in self.bent],
             "rotations": [],
             "quaternions": [{"body": name} for name in self.rigid],
             "angles": [],
@@ -64,29 +67,34 @@ class SpaceAbsolute(SpaceTree):
         at = 3 * self.body_names.index(body)
         columns = [at, at + 1, at + 2]
         if body in self.rigid:
-            first = 3 * len(self.body_names) + 3 * self.rigid.index(body)
+            first = 3 * len(self.body_names) + len(self.bent) + 3 * self.rigid.index(body)
             columns += [first, first + 1, first + 2]
         return columns
 
     # Numbers: states as rows of arrays.
 
-    def from_bodies(self, states, bodies, angles):
-        """(q, v, v̇) of states given body by body, as (states, bodies, 24); `angles` by (joint, angle)."""
+    def from_bodies(self, states, bodies, angles, modes=None):
+        """(q, v, v̇) of states given body by body, as (states, bodies, 24); `angles` by (joint, angle), `modes` of beams with their rates
+        and accelerations by (mode, body)."""
         rigid = [self.body_names.index(name) for name in self.rigid]
         count = len(bodies)
 
-        def flat(linear, angular):
-            parts = bodies[:, :, linear : linear + 3], bodies[:, rigid, angular : angular + 3]
+        bent = [np.zeros((count, 0))] * 3
+        if self.bent:
+            bent = [np.stack([modes[key][which] for key in self.bent], axis=1) for which in range(3)]
+
+        def flat(linear, modal, angular):
+            parts = bodies[:, :, linear : linear + 3], modal, bodies[:, rigid, angular : angular + 3]
             return np.hstack([part.reshape(count, -1) for part in parts])
 
         quaternions = quaternions_of(bodies[:, rigid, 3:12].reshape(count, -1, 3, 3)).reshape(count, -1)
-        q = np.hstack([bodies[:, :, 0:3].reshape(count, -1), quaternions, np.zeros((count, len(self.angles)))])
+        q = np.hstack([bodies[:, :, 0:3].reshape(count, -1), bent[0], quaternions, np.zeros((count, len(self.angles)))])
         if self.angles:
             principal = np.array(self._principals(*[part.T for part in (*given(states), q)]).full()).T
             for k, key in enumerate(self.angles):
                 if key in angles:
                     q[:, self.offsets + k] = angles[key] - principal[:, k]
-        return q, flat(12, 15), flat(18, 21)
+        return q, flat(12, bent[1], 15), flat(18, bent[2], 21)
 
 
 def quaternions_of(matrices):

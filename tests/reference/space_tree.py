@@ -55,6 +55,11 @@ class SpaceLayout:
             key: 2 * np.pi * q[:, start + 2 * k] + q[:, start + 2 * k + 1] for k, (key, _) in enumerate(self.angles)
         }
 
+    def mode_values(self, *states):
+        """By (mode, body) the columns of each of `states`, which are rows of q, v or v̇."""
+        modes = [key for key in self.linear if "[" in key[0]]
+        return {key: [state[:, self.linear[key]] for state in states] for key in modes}
+
     def norms(self, q):
         """Lengths of pairs and quaternions, of states as rows of `q`."""
         pairs, quaternions, angles, _ = self.starts()
@@ -87,6 +92,12 @@ class SpaceTree(SpaceKinematics):
         if set(self.branches) != set(model.bodies) or len(coordinates["tree"]) != len(model.bodies):
             raise ValueError(f"{model.title}: the spanning tree does not hold each body once")
         self.used = set()
+        for name, body in model.bodies.items():
+            if body.beam is not None:
+                self.modes[name] = (
+                    [self._linear(mode, name) for mode in body.beam.names],
+                    [self.v[self.layout.linear[(mode, name)]] for mode in body.beam.names],
+                )
         for name in model.bodies:
             self._place(name, [])
         layout = self.layout
@@ -180,9 +191,10 @@ class SpaceTree(SpaceKinematics):
         matrix = self._orientation(joint, name, own, other, is_second)
         pose = SpacePose(ca.SX.zeros(3), matrix)
         # The slides are along the first's axes, whichever is placed.
-        first = ca.mtimes(self.pose(parent).matrix if is_second else matrix, joint.first.axes)
+        carrying = self.section(joint.first) if is_second else ca.mtimes(matrix, self.turned(joint.first))
+        first = ca.mtimes(carrying, joint.first.axes)
         offset = ca.mtimes(ca.mtimes(first, joint.frame), self._slides(joint))
-        position = self.position(other) + (offset if is_second else -offset) - pose.turn(own.local)
+        position = self.position(other) + (offset if is_second else -offset) - pose.turn(self.arm(own))
         self.poses[name] = SpacePose(position, matrix)
 
     def _orientation(self, joint, name, own, other, is_second):
@@ -195,7 +207,8 @@ class SpaceTree(SpaceKinematics):
             turning = self._turning(joint)
             turning = turning if is_second else turning.T
         turned = cleaned(ca.mtimes(ca.mtimes(other.axes, turning), own.axes.T))
-        return ca.mtimes(self.pose(other.body).matrix, turned)
+        turned = ca.mtimes(self.section(other), turned)
+        return turned if self.beam(own.body) is None else ca.mtimes(turned, self.turned(own).T)
 
     def _turning(self, joint):
         """Of the second place's axes against the first's."""

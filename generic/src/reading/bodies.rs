@@ -99,20 +99,27 @@ impl<'t> Reader<'t> {
             count.ok_or_else(|| DefinitionError::malformed(own, key))
         };
         let length = shape.scalar("length")?;
-        let [area, second_moment] = match optional(written, "section") {
-            None => [shape.scalar("area")?, shape.scalar("second_moment")?],
+        // Area, second moments about z and about y.
+        let [area, about_z, about_y] = match optional(written, "section") {
+            None if self.spatial => {
+                [shape.scalar("area")?, shape.scalar("second_moment_z")?, shape.scalar("second_moment_y")?]
+            }
+            None => [shape.scalar("area")?, shape.scalar("second_moment")?, 0.0],
             Some(section) => {
                 let of = |key: &str| self.entry(field(section, key, own)?, own);
-                let round = |diameter: f64| [PI * diameter.powi(2) / 4.0, PI * diameter.powi(4) / 64.0];
+                let round = |diameter: f64| {
+                    let about = PI * diameter.powi(4) / 64.0;
+                    [PI * diameter.powi(2) / 4.0, about, about]
+                };
                 match text(section, "kind", own)? {
                     "circle" => round(of("diameter")?),
                     "tube" => {
                         let [outer, inner] = [round(of("outer")?), round(of("inner")?)];
-                        [outer[0] - inner[0], outer[1] - inner[1]]
+                        [0, 1, 2].map(|k| outer[k] - inner[k])
                     }
                     "rectangle" => {
                         let [height, width] = [of("height")?, of("width")?];
-                        [height * width, width * height.powi(3) / 12.0]
+                        [height * width, width * height.powi(3) / 12.0, height * width.powi(3) / 12.0]
                     }
                     kind => return Err(DefinitionError::kind(own, kind)),
                 }
@@ -128,9 +135,15 @@ impl<'t> Reader<'t> {
             shapes: text(written, "shapes", own)?,
             length,
             axial: count("axial")?,
-            bending: count("bending")?,
+            bending: if self.spatial {
+                [count("bending_y")?, count("bending_z")?]
+            } else {
+                [count("bending")?, 0]
+            },
+            spatial: self.spatial,
             mass,
-            rigidity: [young * area, young * second_moment],
+            rigidity: [young * area, young * about_z, young * about_y],
+            polar: (about_z + about_y) / area,
             stiffens: is("stiffening"),
             quadratic: is("quadratic"),
             damping_ratio: shape.scalars.get("damping_ratio").copied().unwrap_or(0.0),

@@ -7,7 +7,7 @@ use super::{Read, Reader};
 use crate::error::DefinitionError;
 use crate::expression::{Expression, Function, Operator};
 use crate::json::{field, list, name, optional, text};
-use crate::kinematics::Place;
+use crate::kinematics::{Place, Section};
 use crate::load::{Acts, Load};
 use crate::quantity::Quantity;
 use crate::vector::*;
@@ -446,7 +446,12 @@ impl LawReader<'_, '_> {
     }
 
     fn rim(&mut self, p: &Place, axis: V3, r: f64, foot: &Place, normal: V3) -> Meeting {
-        let c = self.leaf(Quantity::Dot { first: foot.body, a: normal, second: p.body, b: axis });
+        let c = self.leaf(Quantity::Dot {
+            first: Section::whole(foot.body),
+            a: normal,
+            second: Section::whole(p.body),
+            b: axis,
+        });
         let sine = root(plus_of(Expression::Number(1.0), minus_of(times_of(c.clone(), c.clone()))));
         let along = self.leaf(Quantity::Along { axis: normal, first: foot.clone(), second: p.clone() });
         let gap = plus_of(along, scaled(-r, sine.clone()));
@@ -476,7 +481,12 @@ impl LawReader<'_, '_> {
     }
 
     fn world(&mut self, place: &Place, direction: V3, axis: usize) -> Expression {
-        self.leaf(Quantity::Dot { first: place.body, a: direction, second: None, b: unit_axis(axis) })
+        self.leaf(Quantity::Dot {
+            first: Section::whole(place.body),
+            a: direction,
+            second: Section::whole(None),
+            b: unit_axis(axis),
+        })
     }
 }
 

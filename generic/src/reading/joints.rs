@@ -170,7 +170,7 @@ impl<'t> Reader<'t> {
         let particle = self.is_particle(&joint.first) || self.is_particle(&joint.second);
         if matches!(kind, "prismatic" | "fixed" | "parallel") && !particle {
             let angle = self.entry_of(node, "angle", own)?.unwrap_or(0.0);
-            let (first, second) = (joint.first.body, joint.second.body);
+            let (first, second) = (Section::whole(joint.first.body), Section::whole(joint.second.body));
             let a = [-angle.sin(), angle.cos(), 0.0];
             if self.bends(&joint.first) || self.bends(&joint.second) {
                 let [first, second] = [section(&joint.first), section(&joint.second)];
@@ -232,7 +232,7 @@ impl<'t> Reader<'t> {
                 return Err(DefinitionError::malformed(own, "second_axis"));
             }
             let b = turned(&joint.second.axes, joint.second_axis);
-            let (first, second) = (joint.first.body, joint.second.body);
+            let (first, second) = (section(&joint.first), section(&joint.second));
             rows.push(("cross", Equation::Zero(Quantity::Dot { first, a: joint.first_axis(2), second, b })));
         }
         // x₁·y₂ − y₁·x₂.
@@ -274,13 +274,13 @@ impl Joint {
 
     /// Axis i of the first times axis j of the second.
     fn dot(&self, i: usize, j: usize) -> Quantity {
-        let (first, second) = (self.first.body, self.second.body);
+        let (first, second) = (section(&self.first), section(&self.second));
         Quantity::Dot { first, a: self.first_axis(i), second, b: self.second_axis(j) }
     }
 
     fn quantity(&self, which: &str, spatial: bool) -> Option<Quantity> {
         let kind = self.kind.as_str();
-        let (first, second) = (self.first.body, self.second.body);
+        let (first, second) = (section(&self.first), section(&self.second));
         if !spatial {
             return match (which, kind) {
                 ("angle", "revolute" | "point_on_line") => {
@@ -326,5 +326,5 @@ impl Joint {
 
 /// What turns at a place.
 fn section(place: &Place) -> Section {
-    Section { body: place.body, x: Some(place.local[0]) }
+    Section { body: place.body, x: (!place.of_mean).then_some(place.local[0]) }
 }

@@ -134,9 +134,9 @@ impl Reader<'_> {
         }
         for k in 0..turns {
             let dot = |i: usize, j: usize| Quantity::Dot {
-                first: one,
+                first: Section::whole(one),
                 a: column(&first.axes, i),
-                second: other,
+                second: Section::whole(other),
                 b: column(&second.axes, j),
             };
             let (i, j) = ((k + 1) % 3, (k + 2) % 3);
