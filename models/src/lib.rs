@@ -18,6 +18,7 @@ pub mod double_wishbone;
 pub mod dump_truck_steering;
 pub mod dump_truck_tipping;
 pub mod falling_cross;
+pub mod flexible_arm;
 pub mod flexible_pendulum;
 pub mod flexible_quick_return;
 pub mod flexible_slider_crank;
@@ -157,6 +158,7 @@ macro_rules! for_each_model {
             flexible_slider_crank: $crate::flexible_slider_crank::FlexibleSliderCrank,
             spin_up: $crate::spinning_beam::SpinUp,
             spin_up_without_stiffening: $crate::spinning_beam::SpinUpWithoutStiffening,
+            flexible_arm: $crate::flexible_arm::FlexibleArm,
             rod_on_pin: $crate::rod_on_pin::RodOnPin,
             rubbing_four_bar: $crate::rubbing_four_bar::RubbingFourBar,
             rubbing_four_bars: $crate::rubbing_four_bar::RubbingFourBars,

@@ -240,6 +240,10 @@ fn power_is_balanced<M: Model>() {
 /// The power of springs without damping is −dV/dt.
 fn springs_store_what_they_take<M: Model>() {
     let (compiled, parameters, model, states) = walk::<M>(23, STATES);
+    // Beams store too, and no load tells of that.
+    if compiled.mechanism.bodies.iter().any(|body| body.beam.is_some()) {
+        return;
+    }
     let none = |damping: &Expr| matches!(damping, Expr::Number(0.0));
     // A damper is a spring that stores nothing, and so does what has a memory or a winch.
     let loads = compiled.mechanism.loads.iter().enumerate();

@@ -3,6 +3,7 @@
 
 mod adams;
 mod beams;
+mod beams_in_space;
 mod benchmarks;
 mod cables;
 mod cams;

@@ -7,6 +7,7 @@ pub mod random;
 pub mod registry;
 pub mod zoo;
 pub mod zoo_beams;
+pub mod zoo_beams_in_space;
 pub mod zoo_cables;
 pub mod zoo_contacts;
 pub mod zoo_friction;

@@ -211,6 +211,8 @@ macro_rules! for_each_in_zoo {
             bent: $crate::zoo_beams::Bent,
             bent_frame: $crate::zoo_beams::Frame,
             stiffened: $crate::zoo_beams::Stiffened,
+            bent_in_space: $crate::zoo_beams_in_space::BentInSpace,
+            bent_loop: $crate::zoo_beams_in_space::BentLoop,
             winch: $crate::zoo_cables::Winch,
             hoisted: $crate::zoo_cables::Hoisted,
             touching: $crate::zoo_contacts::Touching,
