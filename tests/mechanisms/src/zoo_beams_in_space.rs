@@ -36,6 +36,8 @@ linkwright::mechanism! {
         output bent [mm] = upper.bending_y[0] + 0.5 [s]*fore.bending_z[0].rate;
         output middle [m/s] = upper.center.velocity.x;
         output folded [rad] = elbow.angle;
+        output mean [m/s] = fore.origin.velocity.x;
+        output sagging [mm] = fore.center.z - fore.origin.z;
         output whole [J] = energy;
     }
 }

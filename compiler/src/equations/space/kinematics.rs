@@ -63,6 +63,9 @@ impl<'g> On<'g, &'g Kinematics> {
         let axes = g.on(placement.axes) * axes::matrix(laws, &place.axes);
         let at = match place.frame {
             Frame::Ground => VectorJet::of_time(&laws.ground(&place.at)),
+            Frame::Body(_) if place.of_mean => {
+                VectorJet::fixed(g.on(&placement).point(laws.vector(&place.at)))
+            }
             Frame::Body(_) => self.point(&placement, laws.vector(&place.at)),
         };
         Spot { link: placement.link, at, axes }
@@ -71,7 +74,8 @@ impl<'g> On<'g, &'g Kinematics> {
     /// The link of a section of a beam, if the place is one that has been made.
     pub fn section(self, laws: &Laws<'g>, place: &Place) -> Option<LinkId> {
         let Frame::Body(body) = place.frame else { return None };
-        let x = laws.vector(&place.at).at(0).value()?;
+        // The origin of a frame in the mean is no section.
+        let x = if place.of_mean { None } else { laws.vector(&place.at).at(0).value() }?;
         self.bare.sections.get(&(body.0, x.to_bits())).copied()
     }
 
