@@ -193,7 +193,7 @@ fn an_arm_with_two_flexible_booms() {
         }
     };
     let mut simulation =
-        Simulation::new(&model, FlexibleArm::START).inputs(torques).integrator(Rk4).step(1e-3);
+        Simulation::new(&model, FlexibleArm::START).sampled(torques).integrator(Rk4).step(1e-3);
     simulation.advance_until(10.0).expect("it slews");
     let outputs = simulation.sample().outputs;
     let found = [outputs.x, outputs.y, outputs.z];
