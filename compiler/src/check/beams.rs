@@ -8,9 +8,8 @@ use crate::beams::{Shapes, Way};
 use crate::diagnostics::{Diagnostics, Lint};
 use crate::equations::Equations;
 use crate::messages;
-use crate::model::{Beam, Body, BodyId, Expr, Frame, Mechanism, Place, Space};
+use crate::model::{Beam, Body, BodyId, Expr, Frame, Mechanism, Place, Side, Space};
 use crate::solve::Solved;
-use crate::syntax::Side;
 use std::f64::consts::{PI, TAU};
 
 /// Lengths in radii of gyration √(I/A) below which shear and the turning of sections are seen (Timoshenko).

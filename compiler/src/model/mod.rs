@@ -38,7 +38,7 @@ use crate::diagnostics::{Allowed, Region};
 use crate::forms::BodyForm;
 pub use crate::forms::{Alone, JointAxes, JointForm, LoadForm, Space};
 use crate::scalar::Scalar;
-use crate::syntax::Side;
+pub use crate::syntax::Side;
 pub use crate::syntax::{Budgeted, OnDisk, identifier};
 pub use beams::Beam;
 pub use elements::{
