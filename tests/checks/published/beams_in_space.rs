@@ -197,10 +197,10 @@ fn an_arm_with_two_flexible_booms() {
     simulation.advance_until(10.0).expect("it slews");
     let outputs = simulation.sample().outputs;
     let found = [outputs.x, outputs.y, outputs.z];
-    let converged = [8.785_724_081, 0.400_069_485, -5.980_815_361];
-    let more_shapes = [8.785_724_038, 0.400_070_085, -5.980_815_416];
+    let converged = [8.777_022_427, 0.415_738_710, -5.960_684_482];
+    let more_shapes = [8.777_022_245, 0.415_738_971, -5.960_684_263];
     for k in 0..3 {
-        assert!((found[k] - converged[k]).abs() < 2e-9, "{found:?}");
+        assert!((found[k] - converged[k]).abs() < 3e-9, "{found:?}");
         assert!((found[k] - more_shapes[k]).abs() < 1e-6, "{found:?}");
     }
 }
