@@ -108,14 +108,16 @@ class ConsistentCheck:
 
     def compare_systems(self):
         solution = np.hstack([self.a, self.multipliers])
-        self._compare_system("kkt", self.absolute_equations, solution)
+        # λ stems from reactions there: sums of what bodies need, of beams with accelerations of fast modes that cancel in them.
+        bends = any(getattr(body, "beam", None) is not None for body in self.model.bodies.values())
+        self._compare_system("kkt", self.absolute_equations, solution, 10 * BACKWARD if bends else BACKWARD)
         self._compare_system("kkt_own", self.own_equations, np.hstack([self.acceleration, self.own_multipliers]))
 
-    def _compare_system(self, quantity, system, solution):
+    def _compare_system(self, quantity, system, solution, limit=BACKWARD):
         plain, scaled = system.backward_errors(solution)
         before = len(self.comparison.failures)
-        self.comparison.errors(quantity, plain[self.kept], BACKWARD, "backward error of [v̇; λ]")
-        self.comparison.errors(f"{quantity}_scaled", scaled[self.kept], BACKWARD, "backward error after scaling")
+        self.comparison.errors(quantity, plain[self.kept], limit, "backward error of [v̇; λ]")
+        self.comparison.errors(f"{quantity}_scaled", scaled[self.kept], limit, "backward error after scaling")
         if len(self.comparison.failures) > before:
             self._name_worst_row(quantity, system, solution)
 
