@@ -11,13 +11,13 @@ linkwright::mechanism! {
         input twist [N*m];
         gravity [m/s^2] = (0.3, -0.2, -9.81);
         beam upper { length [m] = 1; section = rectangle(height = thick, width [mm] = 60); young = young; density [kg/m^3] = 2700;
-                     modes = (axial = 1, bending_y = 2, bending_z = 1); shapes = clamped; damping_ratio = loss;
+                     modes = (axial = 1, bending_y = 1, bending_z = 1); shapes = clamped; damping_ratio = loss;
                      point third [m] = (0.4, 0, 0); }
         beam fore  { length [m] = 0.8; section = tube(outer [mm] = 60, inner [mm] = 56); young [GPa] = 0.7; density [kg/m^3] = 2700;
                      modes = (bending_y = 1, bending_z = 1); damping_ratio = 0.01;
                      stiffening = on; }
         beam rod   { length [m] = 0.6; area [mm^2] = 500; second_moment_z [mm^4] = 9e4; second_moment_y [mm^4] = 12e4;
-                     young [GPa] = 0.2; density [kg/m^3] = 1500; modes = (axial = 1, bending_y = 1, bending_z = 1); shapes = pinned; }
+                     young [GPa] = 0.2; density [kg/m^3] = 1500; modes = (axial = 1, bending_y = 1); shapes = pinned; }
         body hand  { mass [kg] = 0.5; inertia [kg*m^2] = (1e-3, 2e-3, 1.5e-3); center [m] = (0.05, 0.01, 0.02); }
         joint base:  revolute(ground(0, 0, 0) [m], upper.start, axis = (0, 0, 1));
         joint elbow: revolute(fore.start, upper.end, axis = (0, 1, 0.3));
@@ -28,9 +28,9 @@ linkwright::mechanism! {
         force blow:  force(fore.end) = (push, -0.1 [N*s/m]*upper.center.velocity.y, 0.2 [N]);
         start { base.angle [rad] = 0.3; base.rate [rad/s] = 1; elbow.angle [rad] = 0.5; elbow.rate [rad/s] = 0.2;
                 cross.angle_1 [rad] = 0.3; cross.angle_2 [rad] = 0.1; cross.rate_1 [rad/s] = 0; cross.rate_2 [rad/s] = 0.4;
-                upper.bending_y[0] [mm] = 20; upper.bending_y[1] [mm] = 3; upper.bending_z[0].rate [m/s] = 0.1;
+                upper.bending_y[0] [mm] = 20; upper.bending_z[0].rate [m/s] = 0.1;
                 fore.bending_z[0] [mm] = 12; rod.axial[0] [um] = 4; }
-        options { emit = (penalty, projection, null_space, tangent); }
+        options { emit = (penalty, projection, null_space); }
         output x [m] = hand.origin.x;
         output z [m] = hand.origin.z;
         output bent [mm] = upper.bending_y[0] + 0.5 [s]*fore.bending_z[0].rate;
@@ -53,7 +53,7 @@ linkwright::mechanism! {
         particle top { mass [kg] = 0.3; }
         rod crank    { length [m] = 0.5; radius [m] = 0.02; mass [kg] = 1; }
         beam coupler { length [m] = 1.5; section = rectangle(height [mm] = 60, width [mm] = 80); young = young; mass [kg] = 0.8;
-                       modes = (bending_y = 1, bending_z = 1); }
+                       modes = (bending_y = 1, bending_z = 1); stiffening = on; }
         body block   { mass [kg] = 2; inertia [kg*m^2] = (1e-2, 1e-2, 1e-2); }
         joint foot:  fixed(ground(1.2, 1.5, 0) [m], mast.start);
         joint cap:   spherical(mast.end, top.center);
