@@ -136,7 +136,7 @@ fn exported(compiled: &Compiled, scalar: Scalar) -> Runs {
     let built = Command::new("cc")
         .args([
             "-std=c99",
-            "-O1",
+            "-O0",
             "-ffp-contract=off",
             "-Wall",
             "-Wextra",
