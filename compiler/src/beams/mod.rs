@@ -1,9 +1,9 @@
 //! Slender beams as numbers: shapes, and what their mass and stiffness make of them. Nothing here knows of graphs or definitions.
 //!
 //! A point of the axis at x, from the origin of the beam's frame, is at (x + Σ N_a p_a, Σ N_b p_b), in space with a third component of the
-//! same kind, Euler and Bernoulli's beam in a floating frame of reference (Shabana, *Dynamics of Multibody Systems*, 5.2–5.5; Géradin, Rixen, *Mechanical Vibrations*, 4.2). With
-//! m the mass, all integrals of the inertia are m times a constant, because mass is spread evenly. Where the axis keeps its length as it
-//! bends, places move along it too: `stiffening`. How pictures show the axis stands in `bow`.
+//! same kind, Euler and Bernoulli's beam in a floating frame of reference (Shabana, *Dynamics of Multibody Systems*, 5.2–5.5; Géradin, Rixen,
+//! *Mechanical Vibrations*, 4.2). With m the mass, all integrals of the inertia are m times a constant, because mass is spread evenly. Where
+//! the axis keeps its length as it bends, places move along it too: `stiffening`. How pictures show the axis stands in `bow`.
 
 mod bow;
 mod gauss;

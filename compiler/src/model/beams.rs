@@ -309,7 +309,10 @@ impl<'d> Lowering<'d> {
         let word = path.parts[1].text.as_str();
         let base = word.split('[').next().unwrap_or(word);
         let space = self.definition.space;
-        let is_way = Way::of(space).iter().any(|way| way.word(space) == base);
+        let is_way_of = |space: Space| Way::of(space).iter().any(|way| way.word(space) == base);
+        // With a number it is meant as a mode, if of a beam elsewhere.
+        let is_way =
+            is_way_of(space) || word.contains('[') && (is_way_of(Space::Planar) || is_way_of(Space::Spatial));
         if !self.definition.bodies[body.0].form.bends || !is_way {
             return None;
         }

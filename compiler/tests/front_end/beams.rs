@@ -154,7 +154,7 @@ fn what_beams_in_space_are_made_of() {
     let lacking = mistakes_in_space("area [mm^2] = 20; second_moment_z [mm^4] = 30;", "");
     assert!(lacking.contains("the beam `rod` has no second_moment_y"), "{lacking}");
     let mode = mistakes_in_space(section, "output bent [mm] = rod.bending[0];");
-    assert!(mode.contains("bending"), "{mode}");
+    assert!(mode.contains("`rod` has no mode `rod.bending[0]`; it has `rod.bending_y[0]`"), "{mode}");
     let mode = mistakes_in_space(section, "output bent [mm] = rod.bending_y[3];");
     assert!(
         mode.contains(
@@ -265,7 +265,7 @@ fn frequencies_that_are_expected() {
             "` is no mode of a beam, which has a frequency by itself: write `frequency(coupler.bending[0]) >= 200 [Hz]`",
         ),
         ("frequency(rod.bending[0]) = 1 [Hz];", "expected `>=` or `<=` and a frequency"),
-        ("frequency(rod.bending[0]) >= 1 [m];", "m"),
+        ("frequency(rod.bending[0]) >= 1 [m];", "frequency is given a length: expected 1/s, found m"),
         ("frequency(rod.bending[0], 2) >= 1 [Hz];", "expected `)`"),
         ("frequency() >= 1 [Hz];", "expected a mode, such as `coupler.bending[0]`"),
     ] {
