@@ -80,14 +80,14 @@ impl Slot {
             let along = turned_back(&frame.axes, pull.linear);
             let about = turned_back(&frame.axes, pull.section);
             let (_, drawn) = beam.drawn_in(&beam.gammas(x), modal);
+            let turning = (self.kind == Kind::Space).then(|| beam.turning(x, modal));
             for (mode, drawn) in drawn.into_iter().enumerate().take(self.modes) {
                 let moved = beam.value(mode, x) * along[beam.axis(mode)] + drawn * along[0];
-                entries[first + mode] += moved;
-                if self.kind == Kind::Space {
-                    entries[first + mode] += dot(beam.turning(x, modal).columns[mode], about);
-                } else {
-                    entries[first + mode] += beam.slope(mode, x) * about[2];
-                }
+                let turned = match &turning {
+                    Some(turning) => dot(turning.columns[mode], about),
+                    None => beam.slope(mode, x) * about[2],
+                };
+                entries[first + mode] += moved + turned;
             }
         }
         let [x, y, z] = pull.linear;
