@@ -7,7 +7,6 @@
 //! and of 0.5 ms agree to 2e-9 m, and four shapes each way are at (8.77702225, 0.41573897, −5.96068426) m: own converged values.
 
 linkwright::mechanism! {
-    #[allow(slender)]
     /// Arm of two flexible booms in space that turns a payload.
     ///
     /// It slews in eight seconds, and its booms swing behind.

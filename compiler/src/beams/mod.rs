@@ -191,6 +191,11 @@ impl Slender {
         self.slopes(x).iter().all(|slope| *slope == 0.0)
     }
 
+    /// Whether the point of the axis at x keeps its place and its direction.
+    pub fn stays(&self, x: f64) -> bool {
+        self.keeps_direction(x) && self.values(x).iter().all(|value| *value == 0.0)
+    }
+
     /// ω² of a mode by EA or EI and the mass, (rad/s)²: its stiffness by what it moves.
     pub fn square_of_rate(&self, mode: usize, rigidity: f64, mass: f64) -> f64 {
         self.modes[mode].stiffness * rigidity / (mass * self.second[mode + 1][mode + 1])

@@ -1,5 +1,7 @@
 //! Beams within the reach of their theory: slender ones, whose shapes suit what holds them, and where nothing stiffens them none that a
-//! turn or a thrust would soften or stiffen by much.
+//! turn or a thrust would soften or stiffen by much. What holds a beam's direction at its start is in `clamps`.
+
+mod clamps;
 
 use super::assemble::{Ancestry, Assembly, Point};
 use super::rules::at_defaults;
@@ -8,7 +10,7 @@ use crate::beams::{Shapes, Way};
 use crate::diagnostics::{Diagnostics, Lint};
 use crate::equations::Equations;
 use crate::messages;
-use crate::model::{Beam, Body, BodyId, Expr, Frame, Mechanism, Place, Side, Space};
+use crate::model::{Beam, Body, BodyId, Expr, Frame, JointId, Mechanism, Place, Side, Space};
 use crate::solve::Solved;
 use std::f64::consts::{PI, TAU};
 
@@ -61,20 +63,27 @@ pub(super) fn clamps_hold(mechanism: &Mechanism, wanted: &mut Wanted) {
         if !matches!(shapes, Shapes::Clamped | Shapes::Static) || !has_bending(beam) {
             continue;
         }
-        let at_start = mechanism.joints.iter().filter(|joint| {
-            [&joint.first, &joint.second]
-                .into_iter()
-                .any(|place| x_of(place, index) == Some(beam.slender.from))
-        });
-        let at_start: Vec<_> = at_start.collect();
-        if let [only] = at_start[..]
-            && !only.form.keeps_orientation
+        if let [(id, place)] = at(mechanism, index, beam.slender.from)[..]
+            && let Some(axis) = clamps::loose(mechanism, BodyId(index), beam, id, place)
         {
-            let (joint, kind) = (&only.name.text, only.form.call.word);
-            let message = messages::clamp_that_turns(&body.name.text, shapes.word(), joint, kind);
+            let joint = &mechanism.joints[id.0];
+            let message = messages::clamp_that_turns(
+                &body.name.text,
+                shapes.word(),
+                &joint.name.text,
+                [joint.form.call.word, axis],
+                joint.form.angles.len() == 1,
+            );
             wanted.push(Lint::Slender, body.name.span, message);
         }
     }
+}
+
+/// The joints at a point of a beam, each with its place there.
+fn at(mechanism: &Mechanism, body: usize, x: f64) -> Vec<(JointId, &Place)> {
+    let joints = mechanism.joints.iter().enumerate();
+    let places = joints.flat_map(|(id, joint)| [(JointId(id), &joint.first), (JointId(id), &joint.second)]);
+    places.filter(|(_, place)| x_of(place, body) == Some(x)).collect()
 }
 
 /// Warnings of beams without stiffening that turn fast or are pressed together at the start, as far as no input decides that.
@@ -134,11 +143,16 @@ pub fn unstiffened<'m>(
             let force = equations.reactions[joint].iter();
             along.iter().zip(force).map(|(along, force)| along * point.get(*force)).sum()
         });
-        let (thrust, factor) = match ends {
-            [Some(start), Some(end)] => (0.5 * (start + end), 1.0),
-            [Some(only), None] | [None, Some(only)] => (only, 0.25),
+        let thrust = match ends {
+            [Some(start), Some(end)] => 0.5 * (start + end),
+            [Some(only), None] | [None, Some(only)] => only,
             [None, None] => continue,
         };
+        // A column on a foot whose head sways, or one between two hinges.
+        let one_end = ends.iter().flatten().count() == 1;
+        let sways = one_end
+            || clamps::sways(mechanism, BodyId(index), beam, &at(mechanism, index, beam.slender.from));
+        let factor = if sways { 0.25 } else { 1.0 };
         let euler = factor * PI * PI * bending / (length * length);
         if !by_inputs && thrust > MUCH * euler {
             found.warning(Lint::Stiffening, body.name.span, messages::pressed_beam(name, thrust, euler));

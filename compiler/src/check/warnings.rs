@@ -11,8 +11,8 @@ use crate::forms::Outline;
 use crate::forms::{JointForm, Law, Sign};
 use crate::messages;
 use crate::model::{
-    Body, BodyId, Declared, Expr, Frame, InternalState, JointId, Load, Mechanism, NamedPoint, Quantity,
-    ReactionPart, Rotor, Subject, Vector,
+    Body, BodyId, Declared, Expr, Frame, InternalState, Joint, JointId, Load, Mechanism, NamedPoint, Place,
+    Quantity, ReactionPart, Rotor, Subject, Vector,
 };
 
 /// The warnings in the order they are reported.
@@ -224,7 +224,7 @@ fn nothing_moved(mechanism: &Mechanism, load: &Load, rigid: &Groups, parallel: &
 /// Of a load along or about a joint whose bodies are in one group.
 fn locked(mechanism: &Mechanism, load: &str, id: JointId, groups: &Groups) -> Option<String> {
     let joint = &mechanism.joints[id.0];
-    let still = groups.same(joint.first.frame, joint.second.frame);
+    let still = groups.same(joint.first.frame, joint.second.frame) && holds_bodies(mechanism, joint);
     still.then(|| messages::load_on_locked(load, &joint.name.text))
 }
 
@@ -243,6 +243,15 @@ fn springs_pull_back(mechanism: &Mechanism, wanted: &mut Wanted) {
     }
 }
 
+/// Whether what a joint holds of its places it holds of their bodies: a place of a beam that moves or turns as it bends is held alone.
+fn holds_bodies(mechanism: &Mechanism, joint: &Joint) -> bool {
+    let stays = |place: &Place| {
+        let beam = mechanism.beam(place.frame);
+        beam.is_none_or(|beam| matches!(place.at[0], Expr::Number(x) if beam.slender.stays(x)))
+    };
+    stays(&joint.first) && stays(&joint.second)
+}
+
 /// Bodies, and the ground, that joints of some kinds hold together.
 struct Groups(Vec<usize>);
 
@@ -256,7 +265,8 @@ impl Groups {
             }
             member
         };
-        for joint in mechanism.joints.iter().filter(|joint| holds(joint.form)) {
+        let holds = |joint: &&Joint| holds(joint.form) && holds_bodies(mechanism, joint);
+        for joint in mechanism.joints.iter().filter(holds) {
             let ends = [joint.first.frame, joint.second.frame];
             let [one, other] = ends.map(|frame| own(&group, member(frame, mechanism.bodies.len())));
             group[one.min(other)] = one.max(other);

@@ -261,10 +261,23 @@ pub(crate) fn thick_beam(beam: &str, ratio: f64, least: f64) -> String {
     )
 }
 
-pub(crate) fn clamp_that_turns(beam: &str, shapes: &str, joint: &str, kind: &str) -> String {
+/// About which axis of the beam; whether the joint has one angle, which a motor could turn.
+pub(crate) fn clamp_that_turns(
+    beam: &str,
+    shapes: &str,
+    joint: &str,
+    [kind, axis]: [&str; 2],
+    has_angle: bool,
+) -> String {
+    let motor = if has_angle {
+        format!("the motor of the joint, `torque motor: torque({joint}) = …;`, or ")
+    } else {
+        String::new()
+    };
     format!(
-        "the `{shapes}` shapes of the beam `{beam}` are held at its start with their direction, and the {kind} joint `{joint}` lets that turn: \
-         many modes are needed. Write `shapes = free;`, or `pinned` where both ends are on hinges, or `#[allow(slender)]` before it"
+        "the `{shapes}` shapes of the beam `{beam}` are held at its start with their direction, and the {kind} joint `{joint}` lets that turn \
+         freely about {axis} of the beam: no moment passes there, for which many of these shapes are needed. Write `shapes = free;`, or `pinned` \
+         where both ends are on hinges, or {motor}`#[allow(slender)]` before it"
     )
 }
 

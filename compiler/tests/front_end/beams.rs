@@ -228,6 +228,110 @@ fn warnings_of_beams_in_space() {
 }
 
 #[test]
+fn motors_clamp() {
+    // In the plane: all that passes a moment about the joint or the beam.
+    let held = |more: &str| {
+        let rest = format!(
+            "disk gear {{ mass [kg] = 1; radius [m] = 0.1; }} joint hub: revolute(ground(2, 0) [m], gear.center);
+             joint foot: revolute(ground(0, 0) [m], rod.start); start {{ rail.travel [m] = 0; }} {more}"
+        );
+        told("shapes = clamped; modes = (bending = 2);", &rest)
+    };
+    let start = "start { rod.angle [rad] = 0; hub.angle [rad] = 0; }";
+    for holds in [
+        "torque motor: torque(foot) = 1 [N*m];",
+        "torque motor: torque(rod) = 1 [N*m];",
+        "torsion_spring back: torsion_spring(foot, stiffness [N*m/rad] = 10);",
+        "gear pair: gear(foot, hub, ratio = -2); start { hub.angle [rad] = 0; }",
+        "drive swing: foot.angle = 0.1 [rad]*sin(2*pi*time/(1 [s])); start { hub.angle [rad] = 0; }",
+        "constraint tied: foot.angle - hub.angle = 0 [rad]; start { hub.angle [rad] = 0; }",
+    ] {
+        let more = if holds.contains("start") { holds.to_string() } else { format!("{holds} {start}") };
+        assert_eq!(held(&more), Vec::<String>::new(), "{holds}");
+    }
+    for lets in [
+        "",
+        "friction rub: on(foot) = coulomb(coefficient = 0.2, radius [m] = 0.01, speed [rad/s] = 0.05);",
+        "torque motor: torque(hub) = 1 [N*m];",
+    ] {
+        let found = held(&format!("{lets} {start}"));
+        let said = "lets that turn freely about z of the beam: no moment passes there";
+        assert!(found.len() == 1 && found[0].contains(said), "{lets}: {found:?}");
+        assert!(found[0].contains("or the motor of the joint, `torque motor: torque(foot) = …;`, or `#[allow(slender)]` before it"), "{found:?}");
+    }
+    // In space: about which axis of the beam, and whether it bends there.
+    let held = |modes: &str, joint: &str, more: &str| {
+        let source = format!(
+            "spatial Arms {{ beam rod {{ length [m] = 1; section = circle(diameter [mm] = 10); young [GPa] = 210; density [kg/m^3] = 7800;
+             shapes = static; modes = ({modes}); }} joint foot: {joint}; {more} }}"
+        );
+        let compiled = compile(source.parse().expect("tokens"), None)
+            .unwrap_or_else(|errors| panic!("{source}\n{errors}"));
+        compiled.warnings.iter().map(|warning| warning.message.clone()).collect::<Vec<_>>().join("; ")
+    };
+    let both = "bending_y = 1, bending_z = 1";
+    let revolute = |axis: &str| format!("revolute(ground(0, 0, 0) [m], rod.start, axis = {axis})");
+    let cross = "universal(ground(0, 0, 0) [m], rod.start, axis = (0, 1, 0), second_axis = (0, 0, 1))";
+    let torque = "torque motor: torque(foot) = 1 [N*m];";
+    let [one, two] = [1, 2].map(|k| format!("drive motor_{k}: foot.angle_{k} = 0 [rad];"));
+    let ball = "spherical(ground(0, 0, 0) [m], rod.start)";
+    for (modes, joint, more, about) in [
+        (both, revolute("(1, 0, 0)"), "", None),
+        (both, revolute("(0, 0, 2)"), "", Some("z")),
+        ("bending_z = 1", revolute("(0, 0, 2)"), "", None),
+        (both, revolute("(3, 1, 0)"), "", Some("y")),
+        ("bending_y = 1", revolute("(3, 1, 0)"), "", None),
+        (both, revolute("(0, 0, 1)"), torque, None),
+        (both, cross.to_string(), &two, Some("z")),
+        (both, cross.to_string(), &one, Some("z")),
+        ("bending_z = 1", cross.to_string(), &one, None),
+        (both, cross.to_string(), &format!("{one} {two}"), None),
+        (both, ball.to_string(), "", Some("z")),
+        (both, ball.to_string(), "torque motor: torque(rod) = (0 [N*m], 1 [N*m], 0 [N*m]);", None),
+    ] {
+        let found = held(modes, &joint, more);
+        match about {
+            None => assert_eq!(found, "", "{modes} {joint} {more}"),
+            Some(axis) => {
+                assert!(
+                    found.contains(&format!("turn freely about {axis} of the beam")),
+                    "{joint} {more}: {found}"
+                );
+                assert_eq!(found.contains("torque(foot)"), joint.contains("revolute"), "{found}");
+            }
+        }
+    }
+}
+
+#[test]
+fn columns_whose_heads_sway() {
+    // A quarter of π² E I/L² where the foot is held and the head carries what nothing else holds; all of it where the head is guided.
+    let quarter = 0.25 * EULER;
+    let pressed = |foot: &str, rest: &str, newtons: f64| {
+        told(
+            "shapes = clamped;",
+            &format!(
+                "{foot} body load {{ mass [kg] = 1; inertia [kg*m^2] = 1e-2; }} joint hold: revolute(rod.end, load.center);
+                 torque turn: torque(hold) = 0.01 [N*m];
+                 force push: force(load.center, direction = (1, 0)) = {} [N]; {rest}",
+                -newtons
+            ),
+        )
+    };
+    let foot = "joint foot: fixed(ground(0, 0) [m], rod.start);";
+    let motor = "joint foot: revolute(ground(0, 0) [m], rod.start); drive still: foot.angle = 0 [rad];";
+    let rest = "start { hold.angle [rad] = 0; rail.travel [m] = 2; }";
+    for held in [foot, motor] {
+        assert_eq!(pressed(held, rest, 0.3 * quarter), Vec::<String>::new());
+        let found = pressed(held, rest, 0.5 * quarter);
+        assert!(found.len() == 1 && found[0].contains("0.5 of Euler's load, 254.3 N"), "{found:?}");
+    }
+    let guided =
+        "joint slot: prismatic(press.center, load.center, axis = (0, 1)); start { rail.travel [m] ~ 1; }";
+    assert_eq!(pressed(foot, guided, 0.3 * EULER), Vec::<String>::new());
+}
+
+#[test]
 fn frequencies_that_are_expected() {
     let with = |expectation: &str| {
         compile(

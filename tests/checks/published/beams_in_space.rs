@@ -78,7 +78,6 @@ fn a_plane_in_space() {
 
 linkwright::mechanism! {
     /// A round shaft that is held at one end in a bearing along it.
-    #[allow(slender)]
     spatial Shaft {
         beam shaft { length [m] = 0.8; section = circle(diameter [mm] = 8); young [GPa] = 200; density [kg/m^3] = 7850;
                      modes = (bending_y = 2, bending_z = 2); shapes = clamped; }

@@ -2,7 +2,6 @@
 
 linkwright::mechanism! {
     /// An arm of a clamped and a free beam with a body at the end, and a pinned one on a cross at the middle of the first.
-    #[allow(slender)]
     pub spatial BentInSpace {
         param young [GPa] = 0.5 in 0.1..300;
         param thick [mm] = 40 in 10..60;
@@ -44,7 +43,6 @@ linkwright::mechanism! {
 
 linkwright::mechanism! {
     /// A slider-crank in space whose coupler bends, and a mast on the same ground whose shapes are polynomials, with a ball at its top.
-    #[allow(slender)]
     pub spatial BentLoop {
         param young [GPa] = 0.7 in 0.1..300;
         gravity [m/s^2] = (0, 0, -9.81);
