@@ -35,7 +35,7 @@ fn main() -> ExitCode {
 }
 
 /// Writes the result. A reader that stops early (`| head`) is no failure.
-fn answer(text: &str) -> ExitCode {
-    let _ = std::io::stdout().write_all(text.as_bytes());
+fn answer(content: impl AsRef<[u8]>) -> ExitCode {
+    let _ = std::io::stdout().write_all(content.as_ref());
     ExitCode::SUCCESS
 }

@@ -414,3 +414,27 @@ fn dimensions_are_drawn() {
     assert_eq!(said.err, "Short: no place in the drawing for the dimensions 0.2 mm (arm)\n");
     assert!(said.out.contains(">without a place: 0.2 mm (arm)<"), "{}", said.out);
 }
+
+/// The end of a file's name says what it is written as; what cannot be is said before anything is computed.
+#[test]
+fn formats_that_are_not_written() {
+    let file = "../../../docs/mechanisms/crank_rocker.mech";
+    for (arguments, message) in [
+        (["sweep", "a.arrow"], "--out: sweep writes no Arrow; give the file another name"),
+        (["run", "a.PNG"], "--out: run writes no PNG; give the file another name"),
+        (["influence", "a.png"], "--out: influence writes no PNG; give the file another name"),
+        (
+            ["run", "a.arrow"],
+            "without Arrow; install it with `--features arrow`, or write comma-separated values: a name that ends in .csv",
+        ),
+        (
+            ["draw", "a.png"],
+            "without PNG; install it with `--features png`, or write SVG: a name that ends in .svg",
+        ),
+    ] {
+        let [command, out] = arguments;
+        let Ran { code, err, .. } = ran(&[command, file, "--out", out]);
+        assert_eq!(code, 2, "{err}");
+        assert!(err.contains(message), "{err}");
+    }
+}

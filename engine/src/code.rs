@@ -34,13 +34,35 @@ impl Registers {
     /// Writes the entries of an argument.
     #[inline]
     pub fn set(&mut self, at: u16, values: &[f64]) {
-        let at = usize::from(at);
-        // Most have one entry or none, for which a call that copies is not worth it.
-        match values {
-            [] => {}
-            [value] => self.0[at] = *value,
-            _ => self.0[at..at + values.len()].copy_from_slice(values),
+        // Many mechanisms have no inputs and no internal states.
+        if !values.is_empty() {
+            let at = usize::from(at);
+            copy(values, &mut self.0[at..at + values.len()]);
         }
+    }
+}
+
+/// Copies a list, which most often is so short that a call of what copies costs more than the copy.
+#[inline(always)]
+fn copy(from: &[f64], to: &mut [f64]) {
+    match from.len() {
+        0 => {}
+        1 => both_ends::<1>(from, to),
+        2..4 => both_ends::<2>(from, to),
+        4..8 => both_ends::<4>(from, to),
+        8..=16 => both_ends::<8>(from, to),
+        _ => to.copy_from_slice(from),
+    }
+}
+
+/// Copies the first and the last N entries of a list of N to 2N, whose middle is in both.
+#[inline(always)]
+fn both_ends<const N: usize>(from: &[f64], to: &mut [f64]) {
+    if let (Some(from), Some(to)) = (from.first_chunk::<N>(), to.first_chunk_mut()) {
+        *to = *from;
+    }
+    if let (Some(from), Some(to)) = (from.last_chunk::<N>(), to.last_chunk_mut()) {
+        *to = *from;
     }
 }
 
@@ -194,21 +216,27 @@ pub enum Results<'c> {
 }
 
 impl Results<'_> {
-    /// Writes `count` of them to these lists, one after another; returns the one behind them, zero if there is none.
+    /// Writes `count` of them to these lists, one after another, and zeros behind them; returns the one behind the lists, zero if there is
+    /// none.
     #[inline]
     pub fn write(&self, registers: &Registers, count: usize, out: &mut [&mut [f64]]) -> f64 {
-        let entries = out.iter_mut().flat_map(|list| list.iter_mut());
         match *self {
             Results::At(registers_of) => {
                 let mut results = registers_of.iter().map(|at| registers.0[usize::from(*at)]);
+                let entries = out.iter_mut().flat_map(|list| list.iter_mut());
                 entries.for_each(|entry| *entry = results.next().unwrap_or(0.0));
                 results.next().unwrap_or(0.0)
             }
             Results::From(first) => {
                 let first = usize::from(first);
-                let mut results = registers.0[first..first + count].iter().copied();
-                entries.for_each(|entry| *entry = results.next().unwrap_or(0.0));
-                results.next().unwrap_or(0.0)
+                // One by one: they have just been stored so, and a load of several of them at once would wait for the stores.
+                let mut results = registers.0[first..first + count].iter();
+                for list in out {
+                    for entry in list.iter_mut() {
+                        *entry = results.next().copied().unwrap_or(0.0);
+                    }
+                }
+                results.next().copied().unwrap_or(0.0)
             }
         }
     }
@@ -295,6 +323,7 @@ impl Code {
         Results::At(&self.outputs)
     }
 
+    #[inline(never)]
     fn interpret(&self, registers: &mut Registers) {
         let r: &mut [f64; REGISTERS] = &mut registers.0;
         for Batch { kind, operations } in &self.batches {
@@ -355,8 +384,12 @@ impl Code {
 
 impl Machine {
     fn translated(&self, places: &Places) -> Option<&dyn Translated> {
-        let make =
-            || self.translator.translate(&self.program, &|source| places.register(source), self.results);
+        let register = |operand| match operand {
+            Operand::Source(source) => Some(places.register(source)),
+            Operand::Constant(value) => places.constants.get(&value.to_bits()).copied(),
+            Operand::Value(_) => None,
+        };
+        let make = || self.translator.translate(&self.program, &register, self.results);
         self.made.get_or_init(make).as_deref()
     }
 }

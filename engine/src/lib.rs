@@ -54,7 +54,7 @@ use linkwright_compiler::functions::{Argument, Function};
 use linkwright_compiler::source::{self, Source};
 use linkwright_compiler::{Compiled, compile_with, parse_at};
 use linkwright_runtime::{Assemble, SettingError, Vector};
-use std::cell::RefCell;
+use std::cell::{RefCell, RefMut};
 use std::fmt;
 use std::marker::PhantomData;
 use std::path::PathBuf;
@@ -327,15 +327,39 @@ impl<D: 'static> Engine<D> {
     }
 
     /// Writes the results of a function one after another to these lists; returns the one behind them, zero if there is none.
-    #[inline]
     fn call(&self, function: Function, given: &[(Argument, &[f64])], out: &mut [&mut [f64]]) -> f64 {
-        let Shared { places, code, .. } = &*self.shared;
+        let given = given.iter();
+        let call = given.fold(self.arguments(), |call, (argument, values)| call.with(*argument, values));
+        call.results(function, out)
+    }
+
+    /// A function, to be called with arguments that are still to be given.
+    #[inline]
+    fn arguments(&self) -> Call<'_> {
+        Call { shared: &self.shared, registers: self.registers.borrow_mut() }
+    }
+}
+
+/// A function that is about to be called: one argument after another is given to it. What is not given is what it was before.
+struct Call<'e> {
+    shared: &'e Shared,
+    registers: RefMut<'e, Registers>,
+}
+
+impl Call<'_> {
+    /// The entries of an argument.
+    #[inline(always)]
+    fn with(mut self, argument: Argument, values: &[f64]) -> Self {
+        self.registers.set(self.shared.places.of(argument), values);
+        self
+    }
+
+    /// Writes the results one after another to these lists; returns the one behind them, zero if there is none.
+    #[inline(always)]
+    fn results(mut self, function: Function, out: &mut [&mut [f64]]) -> f64 {
+        let Shared { places, code, .. } = self.shared;
         let code = &code[function as usize];
-        let registers = &mut *self.registers.borrow_mut();
-        for (argument, values) in given {
-            registers.set(places.of(*argument), values);
-        }
-        code.run(registers, places).write(registers, code.outputs(), out)
+        code.run(&mut self.registers, places).write(&self.registers, code.outputs(), out)
     }
 }
 

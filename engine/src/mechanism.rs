@@ -1,6 +1,6 @@
 //! The engine as the runtime's `Variables` and `Mechanism`.
 
-use crate::{Engine, List, Numbers};
+use crate::{Call, Engine, List, Numbers};
 use linkwright_compiler::functions::Argument::{
     Acceleration, BetaSquared, Gates, Inputs, Lambda, Q, Time, TwoAlpha, V, Z,
 };
@@ -174,8 +174,8 @@ impl<D: 'static> Mechanism<f64> for Engine<D> {
             // Nothing to stabilise.
             return self.acceleration(time, state, u, a, lambda);
         }
-        self.stabilise(two_alpha, beta_squared);
-        self.solution(Function::AccelerationBaumgarte, time, state, u, a, lambda)
+        let function = Function::AccelerationBaumgarte;
+        self.stabilised(function, time, state, u, two_alpha, beta_squared, a, lambda)
     }
     fn null_space_first(&self) -> bool {
         self.shared.tables.null_space_first
@@ -206,8 +206,8 @@ impl<D: 'static> Mechanism<f64> for Engine<D> {
         if !self.has(Function::NullSpaceBaumgarte) {
             return 0.0;
         }
-        self.stabilise(two_alpha, beta_squared);
-        self.solution(Function::NullSpaceBaumgarte, time, state, u, a, lambda)
+        let function = Function::NullSpaceBaumgarte;
+        self.stabilised(function, time, state, u, two_alpha, beta_squared, a, lambda)
     }
     fn internal_rates(
         &self,
@@ -266,11 +266,33 @@ impl<D: 'static> Engine<D> {
         self.call(function, &given, &mut [out.as_mut_slice()]);
     }
 
-    fn stabilise(&self, two_alpha: f64, beta_squared: f64) {
-        let places = &self.shared.places;
-        let mut registers = self.registers.borrow_mut();
-        registers.set(places.of(TwoAlpha), &[two_alpha]);
-        registers.set(places.of(BetaSquared), &[beta_squared]);
+    #[allow(clippy::too_many_arguments)]
+    #[inline]
+    fn stabilised(
+        &self,
+        function: Function,
+        time: f64,
+        state: &StateOf<Self>,
+        u: &Numbers,
+        two_alpha: f64,
+        beta_squared: f64,
+        a: &mut List,
+        lambda: &mut List,
+    ) -> f64 {
+        let terms =
+            self.at_state(time, state, u).with(TwoAlpha, &[two_alpha]).with(BetaSquared, &[beta_squared]);
+        terms.results(function, &mut [a.as_mut_slice(), lambda.as_mut_slice()])
+    }
+
+    /// A function of time, state and inputs, which are arguments by now.
+    #[inline(always)]
+    fn at_state(&self, time: f64, state: &StateOf<Self>, u: &Numbers) -> Call<'_> {
+        let position = self.arguments().with(Time, &[time]).with(Q, state.q.as_slice());
+        let state = position
+            .with(V, state.v.as_slice())
+            .with(Z, state.z.as_slice())
+            .with(Gates, state.gates.as_slice());
+        state.with(Inputs, u.as_slice())
     }
 
     #[inline]
@@ -283,8 +305,7 @@ impl<D: 'static> Engine<D> {
         a: &mut List,
         lambda: &mut List,
     ) -> f64 {
-        let given = given(&time, state, u);
-        self.call(function, &given, &mut [a.as_mut_slice(), lambda.as_mut_slice()])
+        self.at_state(time, state, u).results(function, &mut [a.as_mut_slice(), lambda.as_mut_slice()])
     }
 
     /// A function of time, state, inputs and a solution.
@@ -299,8 +320,7 @@ impl<D: 'static> Engine<D> {
         lambda: &List,
         out: &mut [&mut [f64]],
     ) {
-        let [time, q, v, z, gates, u] = given(&time, state, u);
-        let given = [time, q, v, z, gates, u, (Acceleration, a.as_slice()), (Lambda, lambda.as_slice())];
-        self.call(function, &given, out);
+        let state = self.at_state(time, state, u);
+        state.with(Acceleration, a.as_slice()).with(Lambda, lambda.as_slice()).results(function, out);
     }
 }

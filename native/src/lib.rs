@@ -39,7 +39,7 @@ mod translation;
 
 use cranelift_codegen::isa::OwnedTargetIsa;
 use cranelift_codegen::settings::{self, Configurable};
-use linkwright_compiler::schedule::{Program, Source};
+use linkwright_compiler::schedule::{Operand, Program};
 use linkwright_engine::{Translated, Translator};
 use std::fmt;
 
@@ -67,9 +67,9 @@ impl Native {
     /// [`Unsupported`].
     pub fn new() -> Result<Self, Unsupported> {
         let mut flags = settings::builder();
-        // What is called lies anywhere, and code is at one place for good.
-        for (flag, value) in
-            [("use_colocated_libcalls", "false"), ("is_pic", "false"), ("opt_level", "speed")]
+        // What is called lies anywhere, and code is at one place for good. Programs are optimised; what is done here once more makes of
+        // loads that cost nothing values that are kept.
+        for (flag, value) in [("use_colocated_libcalls", "false"), ("is_pic", "false"), ("opt_level", "none")]
         {
             flags.set(flag, value).map_err(|error| Unsupported(error.to_string()))?;
         }
@@ -83,7 +83,7 @@ impl Translator for Native {
     fn translate(
         &self,
         program: &Program,
-        register: &dyn Fn(Source) -> u16,
+        register: &dyn Fn(Operand) -> Option<u16>,
         results: u16,
     ) -> Option<Box<dyn Translated>> {
         let translate =

@@ -8,7 +8,7 @@ use cranelift_codegen::ir::{AbiParam, FuncRef, InstBuilder, MemFlagsData, Type, 
 use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
 use cranelift_jit::JITModule;
 use cranelift_module::{FuncId, Linkage, Module};
-use linkwright_compiler::schedule::{Instruction, Operand, Program, Source};
+use linkwright_compiler::schedule::{Instruction, Operand, Program};
 use linkwright_compiler::symbolic::{Compare, Unary};
 use linkwright_engine::REGISTERS;
 use std::collections::HashMap;
@@ -20,7 +20,7 @@ const FUSED: bool = cfg!(any(target_feature = "fma", target_arch = "aarch64"));
 pub fn function(
     module: &mut JITModule,
     program: &Program,
-    register: &dyn Fn(Source) -> u16,
+    register: &dyn Fn(Operand) -> Option<u16>,
     results: u16,
     tables: &[*const u8],
 ) -> Option<FuncId> {
@@ -47,8 +47,6 @@ pub fn function(
         register,
         tables,
         values: Vec::with_capacity(program.instructions.len()),
-        sources: HashMap::new(),
-        constants: HashMap::new(),
         called: HashMap::new(),
     };
     let mut given_out: HashMap<usize, Vec<usize>> = HashMap::new();
@@ -84,11 +82,9 @@ struct Translation<'t> {
     pointer: Type,
     /// Where they begin.
     registers: Value,
-    register: &'t dyn Fn(Source) -> u16,
+    register: &'t dyn Fn(Operand) -> Option<u16>,
     tables: &'t [*const u8],
     values: Vec<Value>,
-    sources: HashMap<Source, Value>,
-    constants: HashMap<u64, Value>,
     called: HashMap<&'static str, FuncRef>,
 }
 
@@ -98,24 +94,21 @@ impl Translation<'_> {
         self.builder.ins().store(MemFlagsData::trusted(), value, self.registers, offset(at));
     }
 
+    /// What stands in a register is loaded where it is used: an operand in memory costs nothing, a value that is kept does.
     fn operand(&mut self, operand: Operand) -> Value {
-        match operand {
-            Operand::Constant(value) => self.constant(value),
-            Operand::Value(value) => self.values[value as usize],
-            Operand::Source(source) => {
-                let at = offset(usize::from((self.register)(source)));
-                let (builder, registers) = (&mut self.builder, self.registers);
-                *self
-                    .sources
-                    .entry(source)
-                    .or_insert_with(|| builder.ins().load(types::F64, MemFlagsData::trusted(), registers, at))
+        match (operand, (self.register)(operand)) {
+            (Operand::Value(value), _) => self.values[value as usize],
+            (_, Some(register)) => {
+                let at = offset(usize::from(register));
+                self.builder.ins().load(types::F64, MemFlagsData::trusted(), self.registers, at)
             }
+            (Operand::Constant(value), None) => self.constant(value),
+            (Operand::Source(_), None) => unreachable!("every argument stands in registers"),
         }
     }
 
     fn constant(&mut self, value: f64) -> Value {
-        let builder = &mut self.builder;
-        *self.constants.entry(value.to_bits()).or_insert_with(|| builder.ins().f64const(value))
+        self.builder.ins().f64const(value)
     }
 
     fn instruction(&mut self, instruction: &Instruction) -> Option<Value> {

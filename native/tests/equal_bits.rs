@@ -27,7 +27,10 @@ fn translated(program: &Program, inputs: &Inputs) -> Vec<f64> {
         free += values.len();
     }
     let before = registers.clone();
-    let register = |source: Source| places[source.argument as usize] + source.index as u16;
+    let register = |operand| match operand {
+        Operand::Source(Source { argument, index }) => Some(places[argument as usize] + index as u16),
+        _ => None,
+    };
     let native = Native::new().expect("this processor is known");
     let code = native.translate(program, &register, free as u16).expect("it can be translated");
     code.run(&mut registers);
@@ -106,8 +109,8 @@ fn operations() {
 fn no_room() {
     let program = Program { outputs: vec![Operand::Constant(1.0); 3], ..Program::default() };
     let native = Native::new().expect("this processor is known");
-    assert!(native.translate(&program, &|_| 0, (REGISTERS - 2) as u16).is_none());
-    assert!(native.translate(&program, &|_| 0, (REGISTERS - 3) as u16).is_some());
+    assert!(native.translate(&program, &|_| Some(0), (REGISTERS - 2) as u16).is_none());
+    assert!(native.translate(&program, &|_| Some(0), (REGISTERS - 3) as u16).is_some());
 }
 
 /// Whole runs are those of the interpreter, on other threads and with other parameters too.

@@ -2,7 +2,8 @@
 
 use super::methods::EngineState;
 use super::options::Study;
-use super::{Done, Failure, Loaded, write};
+use super::picture::write_picture;
+use super::{Done, Failure, Loaded};
 use crate::with_engine;
 use linkwright_compiler::page::{Pose, alone, dimensioned_at, drawing_at};
 use linkwright_engine::Engine;
@@ -15,8 +16,9 @@ pub fn draw(study: &Study, loaded: &Loaded) -> Result<Done, Failure> {
     let drawing = with_engine!(&loaded.engine, |engine| {
         drawn(&loaded.compiled, &pose(engine, &super::start(engine)?))
     });
+    let picture = || format!("{}\n", alone(&drawing.svg));
     if !study.json {
-        write(study.out.as_deref(), &format!("{}\n", alone(&drawing.svg)))?;
+        write_picture(study.out.as_deref(), &picture())?;
         if drawing.left_out > 0 {
             let names = if drawing.left_out == 1 { "name" } else { "names" };
             eprintln!("{}: {} {names} found no place in the drawing", loaded.name, drawing.left_out);
@@ -29,7 +31,7 @@ pub fn draw(study: &Study, loaded: &Loaded) -> Result<Done, Failure> {
             eprintln!("{}: no place in the drawing for the dimensions {which}", loaded.name);
         }
     } else if let Some(out) = &study.out {
-        write(Some(out), &format!("{}\n", alone(&drawing.svg)))?;
+        write_picture(Some(out), &picture())?;
     }
     let mut value = json!({ "svg": drawing.svg, "left_out": drawing.left_out });
     if study.dimensions {

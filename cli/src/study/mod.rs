@@ -2,8 +2,10 @@
 //! every method and message is that of a compiled mechanism.
 
 pub mod animate;
+mod arrow;
 pub mod draw;
 pub mod expression;
+mod format;
 mod influence;
 pub mod inputs;
 mod measure;
@@ -11,6 +13,7 @@ pub mod methods;
 pub mod moving_picture;
 mod native;
 pub mod options;
+mod picture;
 pub mod plot;
 pub mod record;
 pub mod run;
@@ -241,13 +244,13 @@ pub fn laws(loaded: &Loaded, study: &Study) -> Result<Laws, Failure> {
 }
 
 /// Writes to the file that was named, or to standard output.
-pub fn write(out: Option<&Path>, text: &str) -> Result<(), Failure> {
+pub fn write(out: Option<&Path>, content: impl AsRef<[u8]>) -> Result<(), Failure> {
     match out {
         None => {
-            answer(text);
+            answer(content);
             Ok(())
         }
-        Some(path) => std::fs::write(path, text)
+        Some(path) => std::fs::write(path, content)
             .map_err(|error| Failure::Usage(format!("`{}` cannot be written: {error}", path.display()))),
     }
 }

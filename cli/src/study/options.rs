@@ -1,6 +1,7 @@
 //! The options of the commands that move a mechanism.
 
 use super::expression::{Expression, unknown};
+use super::format::Format;
 use super::methods::{Chosen, Course, FORMULATIONS, INTEGRATORS, chosen};
 use super::record::Group;
 use super::sweep::Over;
@@ -91,7 +92,7 @@ usage: linkwright run [options] FILE
   --input NAME=EXPRESSION an input as a function of the time t, in its unit: 'drive=2*sin(pi*t)'; or NAME=FILE.csv, FILE.csv
   --native                machine code in place of the interpreter, for long runs and large mechanisms; the same numbers
   --show LIST             of outputs, inputs, state, energy, residual, reactions, efforts, powers, motions; or all
-  --out FILE              in place of standard output
+  --out FILE              in place of standard output; a name that ends in .arrow is written as Arrow
   --json                  for machines
 
 A summary goes to standard error. A run that fails keeps what was computed, says where it stopped, and exits with 1.
@@ -105,7 +106,7 @@ usage: linkwright plot [options] FILE
   --show LIST             of outputs, inputs, energy, residual, reactions (sizes of forces), efforts; outputs if it is not given
   --against NAME          a quantity along the horizontal axis, in place of the time
   --every DURATION        between samples; 600 of them if it is not given
-  --out FILE              in place of standard output
+  --out FILE              in place of standard output; a name that ends in .png is written as PNG
   --json                  for machines: the picture as a field
 
 --mechanism, --for, --step, --formulation, --integrator, --set, --input and --native are those of `linkwright run`.
@@ -168,7 +169,7 @@ usage: linkwright draw [options] FILE
   --mechanism NAME        which one, where the file has several
   --set NAME=VALUE        a parameter, in its unit; may be repeated
   --dimensions            lengths between the joints of each body, with the names of parameters
-  --out FILE              in place of standard output
+  --out FILE              in place of standard output; a name that ends in .png is written as PNG
   --json                  for machines: the drawing as a field
 ";
 
@@ -348,6 +349,7 @@ pub fn parse(
     let Some(file) = file else {
         return Err(format!("{} needs a file: write its path, or `-` for standard input", command.text()));
     };
+    Format::check(&study)?;
     Ok(Ok(Study { file, course, ..study }))
 }
 

@@ -5,8 +5,9 @@ pub use super::animate::Curve;
 use super::animate::{Film, film};
 use super::expression::unknown;
 use super::options::Study;
+use super::picture::write_picture;
 use super::record::Group;
-use super::{Done, Failure, Loaded, short, write};
+use super::{Done, Failure, Loaded, short};
 use linkwright_compiler::drawing_text::escaped;
 use serde_json::json;
 use std::fmt::Write;
@@ -44,10 +45,10 @@ pub fn plot(study: &Study, loaded: &Loaded) -> Result<Done, Failure> {
     let stopped = film.run.stopped.as_ref().map(|error| error.to_string());
     if study.json {
         if let Some(out) = &study.out {
-            write(Some(out), &svg)?;
+            write_picture(Some(out), &svg)?;
         }
     } else {
-        write(study.out.as_deref(), &svg)?;
+        write_picture(study.out.as_deref(), &svg)?;
         if let Some(error) = &stopped {
             let end = film.run.trajectory.times.last().copied().unwrap_or_default();
             eprintln!("stopped at {} s of {} s: {error}", short(end), short(study.course.duration));

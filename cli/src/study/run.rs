@@ -1,9 +1,10 @@
 //! `linkwright run`: a run as comma-separated values, with a summary of energy and constraints.
 
+use super::format::Format;
 use super::methods::{self, Course, EngineState};
 use super::options::Study;
 use super::record::{Extremes, Group, Trajectory, columns};
-use super::{Done, Failure, Loaded, laws, settings, short, start, write};
+use super::{Done, Failure, Loaded, arrow, laws, settings, short, start, write};
 use crate::with_engine;
 use linkwright_engine::Numbers;
 use linkwright_runtime::SimulationError;
@@ -31,7 +32,11 @@ pub fn run(study: &Study, loaded: &Loaded) -> Result<Done, Failure> {
     if study.json {
         return Ok(Done { value: for_machines(study, loaded, &run), failed });
     }
-    write(study.out.as_deref(), &csv(trajectory))?;
+    let out = study.out.as_deref();
+    match Format::of(out) {
+        Format::Arrow => write(out, arrow(study, loaded, trajectory)?)?,
+        Format::Text | Format::Png => write(out, csv(trajectory))?,
+    }
     eprint!("{}", summary(study, loaded, &run));
     Ok(Done { value: Value::Null, failed })
 }
@@ -103,6 +108,18 @@ impl Progress {
             eprint!("\r{:60}\r", "");
         }
     }
+}
+
+fn arrow(study: &Study, loaded: &Loaded, trajectory: &Trajectory) -> Result<Vec<u8>, Failure> {
+    let Course { step, formulation, integrator, .. } = &study.course;
+    let about = [
+        ("mechanism", loaded.name.clone()),
+        ("step", format!("{step} s")),
+        ("formulation", formulation.to_string()),
+        ("integrator", integrator.to_string()),
+        ("parameters", settings(loaded).to_string()),
+    ];
+    arrow::file(trajectory, &about).map_err(|why| Failure::Usage(format!("--out: no Arrow: {why}")))
 }
 
 /// A head with names and units, and a line for each sample. Numbers read back to the same bits.

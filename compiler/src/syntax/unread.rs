@@ -3,6 +3,7 @@
 use super::definition::Label;
 use super::parser::Parser;
 use super::token::{Cursor, Kind};
+use crate::spelling::closest;
 use proc_macro2::Delimiter;
 
 /// Words of statements that give fields, or hold statements that may.
@@ -23,8 +24,12 @@ impl Parser<'_> {
     /// knows what it gives.
     pub fn unread(&mut self, mut c: Cursor) {
         let is_readable = c.skip_attributes();
-        let word = c.word().unwrap_or_default();
-        let is_known = is_readable && self.statement_words().contains(&word);
+        let written = c.word().unwrap_or_default();
+        // A misspelled word gives what the word that the message proposes would have given.
+        let words = self.statement_words();
+        let meant = words.iter().copied().find(|word| *word == written);
+        let meant = meant.or_else(|| closest(written, words.iter().copied()));
+        let (word, is_known) = (meant.unwrap_or(written), is_readable && meant.is_some());
         c.advance();
         let name = c.word().map(|name| Label { text: name.to_string(), region: c.region() });
         let list = match word {

@@ -5,6 +5,7 @@ use super::table::quotient;
 use super::{Parameter, wanted};
 use crate::study::methods::{self, EngineState};
 use crate::study::options::Study;
+use crate::study::picture::write_picture;
 use crate::study::plot::{Curve, picture_against};
 use crate::study::record::{Column, Group, columns};
 use crate::study::run::number;
@@ -86,14 +87,13 @@ pub fn along(study: &Study, loaded: &Loaded, by: &[Parameter]) -> Result<Done, F
     }
     let of = Columns { wanted: &wanted, by };
     if !study.json || study.out.is_some() {
-        let text = if study.svg {
+        if study.svg {
             let axis =
                 against.map(|index| (&outputs[index], samples.iter().map(|it| it.outputs[index]).collect()));
-            of.svg(loaded, axis, &places, &samples)?
+            write_picture(study.out.as_deref(), &of.svg(loaded, axis, &places, &samples)?)?;
         } else {
-            of.csv(&places, &samples)
-        };
-        write(study.out.as_deref(), &text)?;
+            write(study.out.as_deref(), of.csv(&places, &samples))?;
+        }
     }
     if !study.json {
         if let Some((count, time, message)) = &missing {
