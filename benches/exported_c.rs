@@ -48,6 +48,9 @@ fn beside<M: Assemble<f64, Inputs: Fields<f64>> + Clone>(name: &str, model: &M, 
     let definition =
         parse(source.parse().expect("the source was tokens")).expect("a definition that was compiled");
     let compiled = compile_with(&definition, None, &["projection"]).expect("it was compiled before");
+    if export::refused(&compiled).is_some() {
+        return;
+    }
     let library = Library::open(&built(&compiled, name)).expect("a library that was just built");
     // SAFETY: `driver` defines it so.
     let c: Steps = unsafe { library.function("steps") }.expect("the driver's function");

@@ -84,6 +84,11 @@ fn as_steppers<M: InScalars, L: Lanes, S: LaneMethod<M, L>>(method: S) {
         let mut h = L::ZERO;
         (0..L::LANES).for_each(|lane| h.set_lane(lane, alone[lane].h));
         let ticks = lanes.step(&inputs, h);
+        if !model.gate_names().is_empty() {
+            let refused = (0..L::LANES).all(|lane| lanes.error(lane) == Some(StepError::HeldGates));
+            assert!(refused, "{}: lanes take whole steps", model.name());
+            return;
+        }
         let failed: Vec<usize> = ticks.failed().collect();
         for (lane, Alone { stepper, inputs, h, error }) in alone.iter_mut().enumerate() {
             if error.is_none() {

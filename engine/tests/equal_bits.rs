@@ -39,6 +39,7 @@ fn tables<M: Model>() {
     assert_eq!(model.velocity_names(), engine.velocity_names());
     assert_eq!(model.internal_names(), engine.internal_names());
     assert_eq!(model.input_names(), engine.input_names());
+    assert_eq!((model.gate_names(), model.is_rigid()), (engine.gate_names(), engine.is_rigid()));
     assert_eq!(model.output_names(), engine.output_names());
     assert_eq!(model.internal_scales(), engine.internal_scales());
     assert_eq!(model.mass_pattern(), engine.mass_pattern());
@@ -61,6 +62,7 @@ fn tables<M: Model>() {
     same("start_q", start.q.as_slice(), other.q.as_slice());
     same("start_v", start.v.as_slice(), other.v.as_slice());
     same("start_internal", start.z.as_slice(), other.z.as_slice());
+    same("start_gates", start.gates.as_slice(), other.gates.as_slice());
 }
 
 for_each!(functions);
@@ -143,6 +145,20 @@ fn functions<M: Model>() {
             null_space(),
             null_space_baumgarte(two_alpha, beta_squared)
         );
+        let ([mut gaps, mut forces], own_zeros) = ([at.gates; 2], own.gates.clone());
+        let [mut own_gaps, mut own_forces] = [own_zeros.clone(), own_zeros.clone()];
+        model.guards(time, &state, &mut gaps, &mut forces);
+        engine.guards(time, &own, &mut own_gaps, &mut own_forces);
+        same("guards: gaps", gaps.as_slice(), own_gaps.as_slice());
+        same("guards: forces", forces.as_slice(), own_forces.as_slice());
+        let [mut rates, mut biases, mut shares] = [at.gates; 3];
+        let [mut own_rates, mut own_biases, mut own_shares] =
+            [own_zeros.clone(), own_zeros.clone(), own_zeros];
+        model.strikes(time, &at.q, &at.v, &mut rates, &mut biases, &mut shares);
+        engine.strikes(time, &q, &v, &mut own_rates, &mut own_biases, &mut own_shares);
+        same("strikes: rates", rates.as_slice(), own_rates.as_slice());
+        same("strikes: biases", biases.as_slice(), own_biases.as_slice());
+        same("strikes: restitutions", shares.as_slice(), own_shares.as_slice());
         let outputs = model.outputs(time, &state, &at.u);
         let mut own_outputs = engine.outputs(time, &own, &u);
         same("outputs", outputs.to_array().as_slice(), own_outputs.as_slice());
@@ -219,6 +235,7 @@ fn runs<M: Model>() {
             same("q", one.state().q.as_slice(), other.state().q.as_slice());
             same("v", one.state().v.as_slice(), other.state().v.as_slice());
             same("z", one.state().z.as_slice(), other.state().z.as_slice());
+            same("gates", one.state().gates.as_slice(), other.state().gates.as_slice());
             same("energy", &[one.energy()], &[other.energy()]);
         )* };
     }

@@ -4,6 +4,7 @@
 #![warn(missing_docs)]
 
 pub mod andrews;
+pub mod ball_between_walls;
 pub mod bouncing_ball;
 pub mod braked_wheel;
 pub mod bricard;
@@ -28,6 +29,7 @@ pub mod four_spherical_joints;
 pub mod free_rigid_body;
 pub mod gear_pair;
 pub mod general_four_bar;
+pub mod hammer_at_rigid_wall;
 pub mod hammer_at_wall;
 pub mod heavy_top;
 pub mod iiwa14;
@@ -44,6 +46,7 @@ pub mod planetary_gear_train;
 pub mod planetary_stage;
 pub mod quick_return;
 pub mod rear_wheel;
+pub mod rimless_wheel;
 pub mod rod_on_pin;
 pub mod rolling;
 pub mod rubbing_block;
@@ -51,6 +54,7 @@ pub mod rubbing_four_bar;
 pub mod sarrus_linkage;
 pub mod simple_pendulum;
 pub mod slider_crank;
+pub mod slider_crank_on_stop;
 pub mod spatial_four_bar;
 pub mod spatial_pendulums;
 pub mod spatial_slider_crank;
@@ -151,6 +155,10 @@ macro_rules! for_each_model {
             falling_cross: $crate::falling_cross::FallingCross,
             hammer_at_wall: $crate::hammer_at_wall::HammerAtWall,
             loose_wrist: $crate::loose_wrist::LooseWrist,
+            ball_between_walls: $crate::ball_between_walls::BallBetweenWalls,
+            hammer_at_rigid_wall: $crate::hammer_at_rigid_wall::HammerAtRigidWall,
+            slider_crank_on_stop: $crate::slider_crank_on_stop::SliderCrankOnStop,
+            rimless_wheel: $crate::rimless_wheel::RimlessWheel,
             flexible_pendulum: $crate::flexible_pendulum::FlexiblePendulum,
             hinged_bar: $crate::flexible_pendulum::HingedBar,
             hinged_bar_of_sines: $crate::flexible_pendulum::HingedBarOfSines,

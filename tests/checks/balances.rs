@@ -192,7 +192,8 @@ fn power_is_balanced<M: Model>() {
                 "Worn",
                 "Hoisted",
                 "RearWheel",
-                "RubbingPairs"
+                "RubbingPairs",
+                "Dropping"
             ]
             .contains(&model.name()),
             "{}: left to the reference",

@@ -104,8 +104,16 @@ fn emitted<M: Model>(model: &M, inputs: &Inputs, function: Function) -> Option<V
             model.internal_rates(t, state, u, &a, &lambda, &mut rates);
             rates.as_slice().to_vec()
         }
-        // Of mechanisms that hold gates, which are compared in `held`.
-        Function::Guards | Function::Strikes => return None,
+        Function::Guards => {
+            let [mut gaps, mut forces] = [at.gates; 2];
+            model.guards(t, state, &mut gaps, &mut forces);
+            [gaps.as_slice(), forces.as_slice()].concat()
+        }
+        Function::Strikes => {
+            let [mut rates, mut biases, mut restitutions] = [at.gates; 3];
+            model.strikes(t, q, v, &mut rates, &mut biases, &mut restitutions);
+            [rates.as_slice(), biases.as_slice(), restitutions.as_slice()].concat()
+        }
         Function::InverseDynamics => model.flat_inverse_dynamics(&at, &a),
         Function::Powers => model.flat_powers(&at),
         Function::DriverEfforts => model.flat_driver_efforts(&at, &lambda),

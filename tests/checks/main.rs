@@ -11,6 +11,7 @@ mod emitted_code;
 mod events;
 mod every_operation;
 mod formulations;
+mod gates;
 mod golden;
 mod held;
 mod identities;

@@ -99,6 +99,12 @@ impl State {
         let states = mechanism.states.iter().map(|it| it.name.text.clone()).collect();
         set(&known.internal, &point.internal, states);
         set(&known.inputs, &point.inputs, inputs);
+        let gates = mechanism.gates().map(|(load, which)| {
+            let word = if mechanism.is_rigid() { "force" } else { "gate" };
+            let number = if which == 0 { String::new() } else { format!(", {}", which + 1) };
+            format!("{word}({}{number})", mechanism.loads[load.0].name.text)
+        });
+        set(&known.gates, &point.gates, gates.collect());
         set(&known.lambda, &point.lambda, rows);
         let stem = |at: usize| q[at].rsplit_once('.').expect("a part of a name").0.to_string();
         let pairs = (0..e.layout.rotations.len()).map(|r| e.layout.pair(r));
@@ -254,10 +260,10 @@ impl<'a> Reader<'a> {
         let end: usize = self.text.chars().take_while(is_part).map(char::len_utf8).sum();
         let (name, rest) = self.text.split_at(end);
         self.text = rest;
-        if name == "λ" {
-            let (row, rest) = self.text.split_once(')').expect("a row");
+        if ["λ", "gate", "force"].contains(&name) && self.text.starts_with('(') {
+            let (of, rest) = self.text.split_once(')').expect("a row or a contact");
             self.text = rest;
-            return self.named(&format!("λ{row})"));
+            return self.named(&format!("{name}{of})"));
         }
         // The dot is a character of its own.
         if name == "v" && self.skip("\u{307}") {

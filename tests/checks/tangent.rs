@@ -14,19 +14,28 @@ for_each!(tangents_are_the_derivatives);
 
 /// The definition with `emit = (tangent)`, through all stages but the last.
 pub fn with_tangent(source: &str) -> Compiled {
-    let source = match source.find("options {") {
+    let tokens = asking_for_tangent(source).parse().expect("the source was tokens");
+    compile(tokens, None).unwrap_or_else(|errors| panic!("{errors}"))
+}
+
+fn asking_for_tangent(source: &str) -> String {
+    match source.find("options {") {
         Some(at) => format!("{} emit = (tangent); {}", &source[..at + 9], &source[at + 9..]),
         None => {
             let end = source.rfind('}').expect("a definition ends with a brace");
             format!("{} options {{ emit = (tangent); }} }}", &source[..end])
         }
-    };
-    let tokens = source.parse().expect("the source was tokens");
-    compile(tokens, None).unwrap_or_else(|errors| panic!("{errors}"))
+    }
 }
 
 fn tangents_are_the_derivatives<M: Model>() {
     let model = M::standard();
+    if model.is_rigid() {
+        let refused = compile(asking_for_tangent(M::SOURCE).parse().expect("tokens"), None).err();
+        let refused = refused.map(|errors| errors.to_string()).unwrap_or_default();
+        assert!(refused.contains("derivatives of a motion do not follow the rigid"), "{refused}");
+        return;
+    }
     let compiled = with_tangent(M::SOURCE);
     let mut random = Random::new(40);
     let moved = |q: &[f64], delta: &[f64]| {

@@ -3,7 +3,7 @@
 //! Each step takes a random velocity, made consistent, moves along it and puts the position back on the constraints;
 //! the branch of the start is kept, because the steps are small.
 
-use crate::registry::{At, Model, Random, compiled, fields, vector};
+use crate::registry::{At, Model, Random, compiled, fields, gates, vector};
 use linkwright::{AssembleExt, Vector, project_position, project_velocity, retract, smallest_pivot};
 use linkwright_compiler::Compiled;
 
@@ -33,7 +33,8 @@ pub fn walk<M: Model>(seed: u64, count: usize) -> (Compiled, Vec<f64>, M, Vec<At
         let Ok(v) = project_velocity(&model, time, &q, &velocity::<M>(&mut random)) else { continue };
         let u = fields(&random.vector(compiled.mechanism.inputs.len()));
         let z = vector(&random.vector(compiled.mechanism.states.len()));
-        states.push(At { time, q, v, z, u });
+        let gates = vector(&gates(&compiled.mechanism, || random.unit()));
+        states.push(At { time, q, v, z, gates, u });
     }
     (compiled, parameters, model, states)
 }

@@ -1,6 +1,7 @@
 """Surfaces, contacts and limits of a DEFINITION: gaps from the surfaces themselves, all in world axes, and forces by `if_else`.
 
-A contact acts along its gaps g, each with a force F(d, ḋ), d = −g > 0, and 0 where g ≥ 0.
+A contact acts along its gaps g, each with a force F(d, ḋ), d = −g > 0, and 0 where g ≥ 0. Where gates are held, F is s times the law, s the
+gate of the state, and the law goes on where it would pull, a linear one also where g > 0. Of rigid contacts the gate is F itself.
 """
 
 import math
@@ -12,6 +13,7 @@ from expressions import entry, evaluate
 
 TINY = 1e-24  # m²: below it a distance is none
 ROUND = ("point", "circle", "sphere")
+FLAT = ("half_plane", "plane")
 
 
 def all_loads(definition):
@@ -23,6 +25,27 @@ def find(definition, name):
     return next((contact for contact in definition.get("contacts", []) if contact["name"] == name), None)
 
 
+def is_rigid(contact):
+    return contact["law"]["kind"] == "rigid"
+
+
+def gates(definition):
+    """(contact, which of its gaps) of each gate that is held within a step."""
+    all_contacts, surfaces = definition.get("contacts", []), {s["name"]: s for s in definition.get("surfaces", [])}
+    word = definition.get("options", {}).get("contact", "live")
+    if word != "held" and not any(is_rigid(contact) for contact in all_contacts):
+        return []
+    found = []
+    for contact in all_contacts:
+        pair = [surfaces.get(contact.get(end)) or {"kind": "circle"} for end in ("first", "second")]
+        kinds = [surface["kind"] for surface in pair]
+        # What has ends or corners may stand on each of them.
+        several = kinds[0] in FLAT or kinds[1] in FLAT
+        ends = [len(surface["places"]) for surface in pair if several and surface["kind"] in ("segment", "capsule", "polygon")]
+        found += [(contact["name"], which) for which in range(max(ends, default=1))]
+    return found
+
+
 class Contacts:
     def __init__(self, kinematics):
         self.kinematics = kinematics
@@ -32,6 +55,7 @@ class Contacts:
         self._of_bodies = {}
         self._forces = {}
         self.own = None  # (name, which): the law that is being read, and of which gap
+        self.gates = {key: self.model.gates[k] for k, key in enumerate(gates(self.definition))}
 
     def gaps(self, name):
         """The gaps and where they are."""
@@ -88,15 +112,34 @@ class Contacts:
 
     def forces(self, name):
         if name not in self._forces:
-            law, gaps = find(self.definition, name)["law"], self.gaps(name)[0]
-            forces = []
-            for which, gap in enumerate(gaps):
-                outer, self.own = self.own, (name, which)
-                pushed = self._law(law, gap, name)
-                self.own = outer
-                forces.append(ca.if_else(gap < 0, ca.if_else(pushed > 0, pushed, 0), 0))
-            self._forces[name] = forces
+            contact, gaps = find(self.definition, name), self.gaps(name)[0]
+            keys = [(name, which) for which in range(len(gaps))]
+            if is_rigid(contact):
+                self._forces[name] = [self.gates[key] for key in keys]
+            elif self.gates:
+                self._forces[name] = [ca.if_else(self.gates[key] > 0.5, law, 0) for key, law in zip(keys, self.laws(name))]
+            else:
+                pushed = zip(gaps, self.laws(name))
+                self._forces[name] = [ca.if_else(gap < 0, ca.if_else(law > 0, law, 0), 0) for gap, law in pushed]
         return self._forces[name]
+
+    def laws(self, name):
+        """What the law says of each gap, whether it is closed or not; nothing of a rigid contact."""
+        contact, found = find(self.definition, name), []
+        for which, gap in enumerate(self.gaps(name)[0]):
+            outer, self.own = self.own, (name, which)
+            found.append(ca.SX(0) if is_rigid(contact) else self._law(contact["law"], gap, name))
+            self.own = outer
+        return found
+
+    def closed(self, name):
+        """Whether surfaces touch, at each gap."""
+        gaps = self.gaps(name)[0]
+        return [self.gates[name, which] > 0.5 if self.gates else gap < 0 for which, gap in enumerate(gaps)]
+
+    def restitutions(self, name):
+        law = find(self.definition, name)["law"]
+        return [entry(law["restitution"], self.model)] * len(self.gaps(name)[0])
 
     def quantity(self, name, what):
         gaps, points = self.gaps(name)
@@ -140,6 +183,7 @@ class Contacts:
     def _law(self, law, gap, name):
         kind, rate = law["kind"], -self.kinematics.rate(gap)
         depth = ca.if_else(gap < 0, -gap, 0)
+        on = -gap if self.gates else depth  # of what is linear
 
         def given(key, default=0.0):
             return entry(law[key], self.model) if law.get(key) else ca.SX(default)
@@ -148,10 +192,10 @@ class Contacts:
             return evaluate(law["value"], self.kinematics)
         if kind == "kelvin_voigt":
             share = ca.if_else(rate > 0, 1, given("release", 1.0))
-            return given("stiffness") * depth + given("damping") * share * rate
+            return given("stiffness") * on + given("damping") * share * rate
         if kind == "hunt_crossley":
             exponent = float(given("exponent", 1.5))
-            elastic = given("force") * _power(depth / given("depth"), exponent)
+            elastic = given("force") * _power((on if exponent == 1 else depth) / given("depth"), exponent)
         elif kind == "hertz":
             elastic = self._hertz(law, name) * _power(depth, 1.5)
         else:
@@ -160,7 +204,8 @@ class Contacts:
         if law.get("restitution"):
             word = law["damping"]["value"]["name"].rpartition(".")[2] if law.get("damping") else "exact"
             loss = dissipation(float(given("restitution")), word) / given("speed")
-        return elastic * ca.if_else(1 + loss * rate > 0, 1 + loss * rate, 0)
+        factor = 1 + loss * rate
+        return elastic * (factor if self.gates else ca.if_else(factor > 0, factor, 0))
 
     def _hertz(self, law, name):
         contact = find(self.definition, name)

@@ -12,7 +12,8 @@ from energies import Energies
 from magnitude import MATRICES, Evaluator
 from motion import PLANE
 
-VECTORS = ("phi", "nu", "gamma", "forces", "powers", "internal_rates", "internal_starts")
+TOUCHING = ("gaps", "laws", "gap_rates", "gap_biases", "restitutions")
+VECTORS = ("phi", "nu", "gamma", "forces", "powers", "internal_rates", "internal_starts", *TOUCHING)
 SCALARS = ("kinetic", "potential")
 
 
@@ -68,6 +69,8 @@ class CoordinateSet:
             return lambda k: f"force on '{self.column_names[k]}'"
         if quantity in ("internal_rates", "internal_starts"):
             return lambda k: f"state '{self.model.states[k]['name']}'"
+        if quantity in TOUCHING:
+            return lambda k: f"gap {k} of {[name for name, _ in self.kinematics.contacts.gates]}"
         if quantity == "powers":
             return lambda k: f"power of '{contacts.all_loads(self.model.definition)[k]}'"
         return lambda k: quantity
@@ -101,7 +104,7 @@ class CoordinateSet:
 
 
 def equations_evaluator(equations, further=None, evaluator_of=Evaluator):
-    """All compared quantities of `Energies` as functions of (p, t, u, phases, z, efforts, normals, q, v)."""
+    """All compared quantities of `Energies` as functions of (p, t, u, phases, z, gates, efforts, normals, q, v)."""
     outputs = {name: getattr(equations, name) for name in (*VECTORS, *SCALARS, *MATRICES)}
     kinematics = equations.kinematics
     arguments = [*symbols(equations.model), kinematics.q, kinematics.v]
@@ -109,9 +112,9 @@ def equations_evaluator(equations, further=None, evaluator_of=Evaluator):
 
 
 def symbols(model):
-    return [model.p, model.time, model.u, model.phases, model.z, model.efforts, model.normals]
+    return [model.p, model.time, model.u, model.phases, model.z, model.gates, model.efforts, model.normals]
 
 
 def given(states):
-    names = ("parameters", "time", "inputs", "phases", "z", "efforts", "normals")
+    names = ("parameters", "time", "inputs", "phases", "z", "gates", "efforts", "normals")
     return [states.get(name, np.zeros((len(states["time"]), 0))) for name in names]

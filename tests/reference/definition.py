@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 import casadi as ca
 import numpy as np
 
+import contacts
 import expressions
 import friction
 import gears
@@ -83,6 +84,7 @@ class Model:
         self.z = ca.SX.sym("z", len(self.states))
         self.efforts = ca.SX.sym("effort", len(definition["drivers"]) if self.states else 0)
         self.normals = ca.SX.sym("normal", len(friction.rubbing(definition)))
+        self.gates = ca.SX.sym("gate", len(contacts.gates(definition)))
         self.values = {"time": self.time}
         for index, parameter in enumerate(definition["parameters"]):
             self.values[parameter["name"]] = self.p[index]

@@ -65,6 +65,8 @@ class Energies:
         starts = [expressions.entry(state, self.model) for state in self.model.states]
         self.internal_starts = ca.vertcat(*starts) if starts else ca.SX(0, 1)
 
+        self._touching()
+
         v = kinematics.v
         self.momentum = ca.gradient(self.kinetic, v)
         self.mass = ca.jacobian(self.momentum, v)
@@ -82,6 +84,23 @@ class Energies:
         else:
             self.phi = self.nu = self.gamma = ca.SX(0, 1)
             self.jacobian = ca.SX(0, v.numel())
+
+    def _touching(self):
+        """Of gates that are held the gaps and the laws without them; of rigid contacts ġ, g̈ at v̇ = 0, and the restitution."""
+        touching, kinematics = self.kinematics.contacts, self.kinematics
+        names = list(dict.fromkeys(name for name, _ in touching.gates))
+        rigid = [name for name in names if contacts.is_rigid(contacts.find(self.model.definition, name))]
+
+        def all_of(names, of):
+            found = [value for name in names for value in of(name)]
+            return ca.vertcat(*found) if found else ca.SX(0, 1)
+
+        self.gaps = all_of(names, lambda name: touching.gaps(name)[0])
+        self.laws = all_of(names, touching.laws)
+        gaps = all_of(rigid, lambda name: touching.gaps(name)[0])
+        self.gap_rates = kinematics.rate(gaps) if rigid else ca.SX(0, 1)
+        self.gap_biases = kinematics.rate(self.gap_rates) if rigid else ca.SX(0, 1)
+        self.restitutions = all_of(rigid, touching.restitutions)
 
     def _slope(self, value):
         """∂(value)/∂π."""

@@ -15,6 +15,7 @@ def read_states(model, own, states):
         "inputs": model.u.numel(),
         "phases": model.phases.numel(),
         "z": model.z.numel(),
+        "gates": model.gates.numel(),
         "efforts": model.efforts.numel(),
         "q": own.kinematics.q.numel(),
         "v": own.kinematics.v.numel(),

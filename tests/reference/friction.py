@@ -76,12 +76,12 @@ def resisted(load, kinematics, v):
 def in_contact(load, kinematics):
     """Rates w and what acts along them at each place where surfaces touch."""
     rates, acting, touching = [], [], kinematics.contacts
-    places = zip(touching.gaps(load["on"])[0], touching.forces(load["on"]), touching.sliding(load["on"]))
-    for gap, pressed, (velocity, normal) in places:
+    places = zip(touching.closed(load["on"]), touching.forces(load["on"]), touching.sliding(load["on"]))
+    for closed, pressed, (velocity, normal) in places:
         tangential = velocity if normal is None else velocity - normal * ca.dot(normal, velocity)
         resisted_along = resisted(load, kinematics, ca.vertsplit(tangential))
         rates.append(velocity)
-        acting += [-(pressed * p + ca.if_else(gap < 0, o, 0)) for p, o in resisted_along]
+        acting += [-(pressed * p + ca.if_else(closed, o, 0)) for p, o in resisted_along]
     return ca.vertcat(*rates), ca.vertcat(*acting)
 
 

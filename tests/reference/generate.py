@@ -49,6 +49,7 @@ def draw(rng, own, count):
         "inputs": rng.normal(size=(count, model.u.numel())),
         "phases": rng.normal(size=(count, model.phases.numel())),
         "z": rng.normal(size=(count, model.z.numel())),
+        "gates": rng.uniform(size=(count, model.gates.numel())).round(),
         "efforts": rng.normal(size=(count, model.efforts.numel())),
         "q": pack(linear, angles, turns, remainder),
         "v": rng.normal(size=(count, len(layout.linear) + len(layout.rotations))),

@@ -74,7 +74,7 @@ def consistent_records(check, count, further):
 
 def given_part(states, k):
     part = {name: states[name][k].tolist() for name in GIVEN}
-    part |= {name: states[name][k].tolist() for name in ("z", "efforts") if states[name].size}
+    part |= {name: states[name][k].tolist() for name in ("z", "gates", "efforts") if states[name].size}
     return part | {"time": part["time"][0]}
 
 
@@ -82,7 +82,7 @@ def quantity_part(quantities, k, names):
     part = {}
     for name in names:
         value, scale = (array[k] for array in quantities[name])
-        if name.startswith("internal_") and value.size == 0:
+        if name.startswith(("internal_", "gap", "laws", "restitutions")) and value.size == 0:
             continue
         if name in SCALARS:
             part[name] = [shortened(value[0]), rounded(scale[0])]

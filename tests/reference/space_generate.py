@@ -58,6 +58,7 @@ def draw(rng, own, count):
         "inputs": rng.normal(size=(count, model.u.numel())),
         "phases": rng.normal(size=(count, model.phases.numel())),
         "z": rng.normal(size=(count, model.z.numel())),
+        "gates": rng.uniform(size=(count, model.gates.numel())).round(),
         "efforts": rng.normal(size=(count, model.efforts.numel())),
         "q": q,
         "v": rng.normal(size=(count, layout.sizes()[1])),

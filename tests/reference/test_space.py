@@ -101,7 +101,7 @@ class Identities(unittest.TestCase):
                     expected.append(expected[-1])
             values = ca.Function("values", [*symbols(model), kinematics.q, kinematics.v], [ca.vertcat(*measured)])
             states["normals"] = np.zeros((4, 0))
-            columns = [states[name].T for name in ("parameters", "time", "inputs", "phases", "z", "efforts", "normals", "q", "v")]
+            columns = [states[name].T for name in ("parameters", "time", "inputs", "phases", "z", "gates", "efforts", "normals", "q", "v")]
             with self.subTest(model=model.title):
                 if expected:
                     np.testing.assert_allclose(np.array(values(*columns).full()), expected, atol=1e-12)

@@ -35,7 +35,7 @@ def derive(model, coordinates):
 
 def one_state(own, q, v, **given):
     empty = {"parameters": np.zeros((1, 0)), "time": np.zeros((1, 1)), "inputs": np.zeros((1, 0))}
-    empty |= {name: np.zeros((1, 0)) for name in ("phases", "z", "efforts")}
+    empty |= {name: np.zeros((1, 0)) for name in ("phases", "z", "gates", "efforts")}
     return empty | {"q": np.array([q], float), "v": np.array([v], float)} | given
 
 

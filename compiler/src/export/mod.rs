@@ -49,9 +49,12 @@ pub fn c(compiled: &Compiled, scalar: Scalar) -> Files {
 
 /// Why a mechanism is not exported.
 pub fn refused(compiled: &Compiled) -> Option<Diagnostics> {
-    let at = compiled.mechanism.options.held_at?;
+    let mechanism = &compiled.mechanism;
     let mut found = Diagnostics::new();
-    found.error(at, messages::held_in_c());
+    match (mechanism.loads.iter().find(|load| load.restitution.is_some()), mechanism.options.held_at) {
+        (Some(rigid), _) => found.error(rigid.name.span, messages::rigid_in_c(&rigid.name.text)),
+        (None, at) => found.error(at?, messages::held_in_c()),
+    }
     Some(found)
 }
 

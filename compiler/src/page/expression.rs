@@ -43,8 +43,12 @@ impl<'a> Writer<'a> {
         let states = mechanism.states.iter().map(|state| state.name.text.clone());
         let settings = settings.chain(symbols.inputs.iter().copied().zip(inputs));
         let settings = settings.chain(symbols.internal.iter().copied().zip(states));
-        let contacts =
-            mechanism.gates().map(|(load, _)| format!("gate({})", mechanism.loads[load.0].name.text));
+        // A contact of several gaps has a gate for each; of a rigid one it is the force.
+        let word = if mechanism.is_rigid() { "force" } else { "gate" };
+        let contacts = mechanism.gates().map(|(load, which)| {
+            let name = &mechanism.loads[load.0].name.text;
+            if which == 0 { format!("{word}({name})") } else { format!("{word}({name}, {})", which + 1) }
+        });
         let settings = settings.chain(symbols.gates.iter().copied().zip(contacts));
         let accelerations =
             symbols.acceleration.iter().copied().zip(v.iter().map(|name| format!("v̇({name})")));

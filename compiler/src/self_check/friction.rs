@@ -34,13 +34,23 @@ pub fn check(machine: &Machine, report: &mut Report) {
     if machine.compiled.mechanism.loads.iter().all(|load| !load.form.rubs) {
         return;
     }
-    let powers = machine.run(Function::Powers, report.inputs);
+    let powers = machine.run(Function::Powers, &pushing(machine, report.inputs));
     let loads = machine.compiled.mechanism.loads.iter().zip(powers);
     // What has states of its own gives back what it stored.
     for (load, power) in loads.filter(|(load, _)| load.form.rubs && load.form.owns.is_none()) {
         let gained = Quantity { value: power.value.max(0.0), ..power };
         report.compare(Check::Friction, || format!("\"{}\"", load.name.text), gained, Quantity::exact(0.0));
     }
+}
+
+/// The gates that are held closed where the law of their contact pushes: what pulls is let go, and would press surfaces apart.
+fn pushing(machine: &Machine, inputs: &Inputs) -> Inputs {
+    if inputs.gates.is_empty() {
+        return inputs.clone();
+    }
+    let guards = machine.plain(Function::Guards, inputs);
+    let [_gaps, forces] = machine.groups(Function::Guards, &guards);
+    Inputs { gates: forces.iter().map(|force| f64::from(u8::from(*force > 0.0))).collect(), ..inputs.clone() }
 }
 
 /// + Q_f.

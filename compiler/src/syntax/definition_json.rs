@@ -564,6 +564,7 @@ impl Writer {
             OptionEntry::Redundant(word) => self.key("redundant").string(&word.text),
             OptionEntry::Inertia(word) => self.key("inertia").string(&word.text),
             OptionEntry::Cut(joints) => self.key("cut").array(joints, |w, joint| w.string(&joint.text)),
+            OptionEntry::Contact(word) => self.key("contact").string(&word.text),
             OptionEntry::Independent(paths) => {
                 self.key("independent").array(paths, |w, path| w.name(&path.text));
             }
@@ -572,7 +573,6 @@ impl Writer {
             | OptionEntry::Emit(_)
             | OptionEntry::SelfCheck(_)
             | OptionEntry::FrictionPasses(..)
-            | OptionEntry::Contact(_)
             | OptionEntry::ExportC(_)
             | OptionEntry::Crate(_) => {}
         }

@@ -230,6 +230,9 @@ impl LawReader<'_, '_> {
         let Meeting { gap, radius, .. } = self.meetings(node, own)?.swap_remove(which);
         let law = field(node, "law", own)?;
         let kind = text(law, "kind", own)?;
+        if kind == "rigid" {
+            return Err(DefinitionError::not_there_yet(own, "impulses of rigid contacts"));
+        }
         let reader = self.reader;
         let given = |key: &str| Ok(reader.entry_of(law, key, own)?.unwrap_or(0.0));
         let zero = || Expression::Number(0.0);

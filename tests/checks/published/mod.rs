@@ -14,6 +14,7 @@ mod friction;
 mod gears;
 mod hydraulics;
 mod hysteresis;
+mod impacts;
 mod linkages;
 mod meshes;
 mod parts;

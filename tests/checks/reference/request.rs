@@ -81,6 +81,29 @@ fn given(text: &mut String, inputs: &Inputs) {
         list(text, "z", &inputs.internal);
         text.push(',');
     }
+    if !inputs.gates.is_empty() {
+        list(text, "gates", &inputs.gates);
+        text.push(',');
+    }
+}
+
+/// Of contacts whose gates are held the gaps and the laws without the gates, of rigid ones in their place what the gaps do at v̇ = 0 and the
+/// restitutions.
+fn touching(text: &mut String, compiled: &Compiled, inputs: &Inputs, evaluate: &Evaluate) {
+    let count = inputs.gates.len();
+    let mut told = |function: Function, names: &[&str]| {
+        let found = evaluate(function, inputs);
+        for (name, values) in names.iter().zip(found.chunks(count)) {
+            list(text, name, values);
+            text.push(',');
+        }
+    };
+    if count > 0 {
+        told(Function::Guards, &["gaps", "laws"]);
+    }
+    if compiled.mechanism.is_rigid() {
+        told(Function::Strikes, &["gap_rates", "gap_biases", "restitutions"]);
+    }
 }
 
 /// The efforts of drivers as the rates of internal states may name them, and these rates; nothing where there are no such states.
@@ -103,6 +126,7 @@ fn random_state(text: &mut String, compiled: &Compiled, inputs: &Inputs, evaluat
     let equations = &compiled.complete.equations;
     given(text, inputs);
     internal(text, compiled, inputs, evaluate);
+    touching(text, compiled, inputs, evaluate);
     let vectors = [
         ("phi", Function::Constraints),
         ("nu", Function::Nu),

@@ -1,6 +1,7 @@
 //! Random states of a compiled mechanism: anywhere, and consistent ones reached by walking along the motion.
 
 use super::random::Random;
+use crate::registry::gates;
 use linkwright_compiler::Compiled;
 use linkwright_compiler::check::assemble::retract;
 use linkwright_compiler::schedule::{Function, Inputs, run};
@@ -43,6 +44,7 @@ impl<'a> Walker<'a> {
         inputs.time = random.between(0.0, 1.0);
         inputs.inputs = random.vector(compiled.mechanism.inputs.len(), 10.0);
         inputs.internal = random.vector(compiled.mechanism.states.len(), 1.0);
+        inputs.gates = gates(&compiled.mechanism, || random.between(-1.0, 1.0));
         inputs
     }
 

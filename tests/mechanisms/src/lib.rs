@@ -11,6 +11,7 @@ pub mod zoo_beams_in_space;
 pub mod zoo_cables;
 pub mod zoo_contacts;
 pub mod zoo_friction;
+pub mod zoo_gates;
 pub mod zoo_gears;
 pub mod zoo_hysteresis;
 pub mod zoo_laws;

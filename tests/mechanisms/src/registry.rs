@@ -4,7 +4,7 @@
 //! mechanisms of `zoo.rs`, so that a new model is checked by being listed in `models/src/lib.rs`.
 
 use linkwright::{Assemble, Fields, Layout, Report, SettingError, State, StateOf, Vector};
-use linkwright_compiler::model::Coordinates;
+use linkwright_compiler::model::{Coordinates, Mechanism};
 use linkwright_compiler::schedule::Inputs;
 use linkwright_compiler::{Compiled, compile};
 
@@ -15,7 +15,7 @@ pub trait Model:
         Q: Copy,
         V: Copy,
         Z: Copy,
-        Gates = (),
+        Gates: Copy,
         Lambda: Copy,
         Inputs: Fields<f64> + Copy,
         Outputs: Fields<f64> + Copy,
@@ -33,6 +33,11 @@ pub trait Model:
     fn single() -> Self::Single;
     fn prepared(parameters: &[f64]) -> Result<Self, SettingError>;
     fn parameter_values(&self) -> Vec<f64>;
+
+    /// Whether steps are taken whole. Where gates of contacts are held within a step, touches part it, and steppers, lanes and C refuse.
+    fn takes_whole_steps(&self) -> bool {
+        self.gate_names().is_empty()
+    }
 
     fn flat_motions(&self, time: f64, q: &Self::Q, v: &Self::V, a: &Self::V) -> Vec<f64> {
         flat(self.motions(time, q, v, a).as_ref())
@@ -79,6 +84,8 @@ pub struct At<M: Model> {
     pub v: M::V,
     /// Internal states.
     pub z: M::Z,
+    /// What is held within a step, by [`gates`].
+    pub gates: M::Gates,
     pub u: M::Inputs,
 }
 
@@ -155,11 +162,21 @@ pub fn compiled<M: Model>(coordinates: Option<Coordinates>) -> Compiled {
     compile(tokens, coordinates).expect("the definition was compiled before")
 }
 
+/// Gates as a run may hold them, from numbers in [−1, 1): 0 or 1; of rigid contacts a force that does not pull, N or N m.
+pub fn gates(mechanism: &Mechanism, mut unit: impl FnMut() -> f64) -> Vec<f64> {
+    let gate = |_| match mechanism.is_rigid() {
+        true => (10.0 * unit()).max(0.0),
+        false => f64::from(u8::from(unit() > 0.0)),
+    };
+    mechanism.gates().map(gate).collect()
+}
+
 impl<M: Model> At<M> {
     /// The time, state and inputs of a point.
     pub fn of(point: &Inputs) -> Self {
-        let Inputs { time, q, v, internal, inputs, .. } = point;
-        At { time: *time, q: vector(q), v: vector(v), z: vector(internal), u: fields(inputs) }
+        let Inputs { time, q, v, internal, gates, inputs, .. } = point;
+        let (z, gates) = (vector(internal), vector(gates));
+        At { time: *time, q: vector(q), v: vector(v), z, gates, u: fields(inputs) }
     }
 
     pub fn state(&self) -> StateOf<M> {
@@ -168,7 +185,7 @@ impl<M: Model> At<M> {
 
     /// The same at another position and velocity.
     pub fn at(&self, q: M::Q, v: M::V) -> StateOf<M> {
-        State { q, v, z: self.z, gates: () }
+        State { q, v, z: self.z, gates: self.gates }
     }
 }
 
@@ -230,8 +247,7 @@ impl Random {
             inputs: self.vector(e.symbols.inputs.len()),
             // Of the size that their authors say.
             internal: states.map(|state| state.scale.unwrap_or(1.0) * self.unit()).collect(),
-            // Of those that hold gates there is none here.
-            gates: Vec::new(),
+            gates: gates(&compiled.mechanism, || self.unit()),
             two_alpha: 10.0 + self.unit(),
             beta_squared: 25.0 + self.unit(),
             acceleration: self.vector(layout.velocities()),

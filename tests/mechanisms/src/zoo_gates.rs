@@ -1,0 +1,95 @@
+//! Contacts whose gates are held within a step, and such that are rigid, in the plane and in space: laws that jump and such that do not, loops,
+//! limits, several gaps of one contact, surfaces that move by themselves.
+
+linkwright::mechanism! {
+    /// A ball, a rod between stops and a plate on two places, in a loop, with friction where the ball lies.
+    #[allow(penetration)]
+    pub planar Landing {
+        param stiffness [N/m] = 300;
+        gravity [m/s^2] = (0, -9.81);
+        disk ball { mass [kg] = 1; radius [m] = 0.3; }
+        rod arm { mass [kg] = 0.5; length [m] = 0.6; surface tip: point(arm.end); }
+        rod plate { mass [kg] = 2; length [m] = 0.8; surface sole: segment(plate.start, plate.end, radius [m] = 0.05); }
+        surface floor: half_plane(line(ground(0, 0.3) [m], ground(1, 0.25) [m]));
+        joint pivot: revolute(ground(1.6, 0.1) [m], arm.start);
+        joint link: distance(ball.center, arm.end, length [m] = 1.3);
+        contact lands: between(floor, ball.surface) = kelvin_voigt(stiffness = stiffness, damping [N*s/m] = 6, release = 0.4);
+        contact tips: between(arm.tip, floor) = hunt_crossley(force [N] = 40, depth [mm] = 200, exponent = 1.7, dissipation [s/m] = 0.3);
+        contact lies: between(plate.sole, floor) = 200 [N/m]*lies.depth*(1 + 0.2 [s/m]*lies.closing);
+        limit stops: pivot.angle [rad] in -1..1.2 = kelvin_voigt(stiffness [N*m/rad] = 40, damping [N*m*s/rad] = 2);
+        friction grip: on(lands) = coulomb(coefficient = 0.3, speed [m/s] = 0.1);
+        start { plate.center.x [m] = -0.4; plate.center.y [m] = 0.3; plate.angle [rad] = 0.1; pivot.angle [rad] = 1.3; pivot.rate [rad/s] = 1;
+                ball.center.x [m] = 0.6; ball.center.y [m] ~ 0.5; ball.angle [rad] = 0; }
+        options { contact = held; emit = (penalty, projection, null_space, tangent); }
+        output pressed [N] = lands.force + lies.force;
+        output gap [m] = lies.gap;
+        output lost [W] = power(lands) + power(stops) + power(grip);
+    }
+}
+
+linkwright::mechanism! {
+    /// A ball between a deck that is tilted and an arm between stops.
+    #[allow(penetration)]
+    pub spatial Docking {
+        gravity [m/s^2] = (0, 0, -9.81);
+        material rubber { modulus [Pa] = 3e3; poisson = 0.4; }
+        sphere ball { mass [kg] = 1; radius [m] = 0.2; }
+        rod arm { mass [kg] = 0.5; length [m] = 0.5; radius [mm] = 20; surface tip: point(arm.end); surface side: capsule(arm.start, arm.end, radius [m] = 0.02); }
+        surface deck: plane(ground(0, 0, 0.5) [m], axis = (0.1, 0, 1));
+        joint hinge: revolute(ground(1, 0, 0.6) [m], arm.start, axis = (0, 1, 0));
+        contact knocks: between(ball.surface, arm.side) = kelvin_voigt(stiffness [N/m] = 200, damping [N*s/m] = 4);
+        contact rolls: between(ball.surface, deck) = hertz(first = rubber, second = rubber, dissipation [s/m] = 0.4);
+        contact pokes: between(arm.tip, deck) = hunt_crossley(force [N] = 60, depth [m] = 0.1, exponent = 1, restitution = 0.8, speed [m/s] = 1);
+        limit swing: hinge.angle [deg] in -50..40 = hunt_crossley(force [N*m] = 5, depth [deg] = 10, dissipation [s/rad] = 0.5);
+        start { ball.center.x [m] = 0.8; ball.center.y [m] = 0.1; ball.center.z [m] = 0.55; hinge.angle [rad] = 0.8; hinge.rate [rad/s] = -1; }
+        options { contact = held; emit = (penalty, projection, null_space, tangent); }
+        output rolled [N] = rolls.force;
+        output poked_z [m] = pokes.point.z;
+        output open [m] = knocks.gap;
+    }
+}
+
+linkwright::mechanism! {
+    /// A slider-crank whose slider has a stop, beside a bar that falls on two of its places.
+    pub planar Striking {
+        param share [1] = 0.6;
+        param end [mm] = 640;
+        gravity [m/s^2] = (0, -9.81);
+        rod crank { mass [kg] = 1; length [m] = 0.2; }
+        rod coupler { mass [kg] = 2; length [m] = 0.5; }
+        body slider { mass [kg] = 1.5; inertia [kg*m^2] = 0.01; }
+        rod bar { mass [kg] = 3; length [m] = 1; surface sole: segment(bar.start, bar.end, radius [m] = 0.05); }
+        surface floor: half_plane(line(ground(0, -0.5) [m], ground(1, -0.45) [m]));
+        joint hinge: revolute(ground(0, 0) [m], crank.start);
+        joint pin: revolute(crank.end, coupler.start);
+        joint wrist: revolute(coupler.end, slider.center);
+        joint rail: prismatic(ground(0, 0) [m], slider.center, axis = (1, 0));
+        contact falls: between(bar.sole, floor) = rigid(restitution = 0.5);
+        limit stop: rail.travel in 0..end = rigid(restitution = share);
+        start { hinge.angle [deg] = 120; coupler.angle [deg] ~ -20; bar.center.x [m] = 0; bar.center.y [m] = -0.3; bar.angle [rad] = 0.1; }
+        options { emit = (penalty, projection, null_space); }
+        output travel [m] = rail.travel;
+        output force [N] = falls.force;
+        output gap [m] = falls.gap;
+        output taken [W] = power(stop);
+    }
+}
+
+linkwright::mechanism! {
+    /// A ball on a slope that sinks and rises, under an arm that lies on its stop.
+    pub spatial Dropping {
+        gravity [m/s^2] = (0, 0, -9.81);
+        sphere ball { mass [kg] = 1; radius [m] = 0.2; }
+        rod arm { mass [kg] = 0.5; length [m] = 0.5; radius [mm] = 20; surface tip: point(arm.end); }
+        surface slope: plane(ground(0 [m], 0 [m], -0.1 [m]*sin(2 [rad/s]*time)), axis = (0.1, 0, 1));
+        joint hinge: revolute(ground(1, 0, 0.6) [m], arm.start, axis = (0, 1, 0));
+        contact bounces: between(ball.surface, slope) = rigid(restitution = 0.7);
+        contact meets: between(arm.tip, ball.surface) = rigid(restitution = 0.4);
+        limit swing: hinge.angle [deg] in -60..30 = rigid(restitution = 0);
+        start { ball.center.x [m] = 0.6; ball.center.y [m] = 0.1; ball.center.z [m] = 0.3; hinge.angle [deg] = 30; ball.center.velocity.x [m/s] = 0.2; }
+        options { emit = (penalty, projection, null_space); }
+        output force [N] = bounces.force + meets.force;
+        output at_x [m] = meets.point.x;
+        output closing [m/s] = meets.closing;
+    }
+}
