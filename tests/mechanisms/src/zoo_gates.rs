@@ -80,7 +80,7 @@ linkwright::mechanism! {
     pub spatial Dropping {
         gravity [m/s^2] = (0, 0, -9.81);
         sphere ball { mass [kg] = 1; radius [m] = 0.2; }
-        rod arm { mass [kg] = 0.5; length [m] = 0.5; radius [mm] = 20; surface tip: point(arm.end); }
+        rod arm { mass [kg] = 0.5; length [m] = 0.5; radius [mm] = 60; surface tip: point(arm.end); }
         surface slope: plane(ground(0 [m], 0 [m], -0.1 [m]*sin(2 [rad/s]*time)), axis = (0.1, 0, 1));
         joint hinge: revolute(ground(1, 0, 0.6) [m], arm.start, axis = (0, 1, 0));
         contact bounces: between(ball.surface, slope) = rigid(restitution = 0.7);
