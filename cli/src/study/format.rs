@@ -25,14 +25,15 @@ impl Format {
 
     /// Why it cannot be written by this command of this program, which is better known before a run than after it.
     pub fn check(study: &Study) -> Result<(), String> {
-        use super::options::Command::{Draw, Influence, Plot, Run};
+        use super::options::Command::{Draw, Influence, Plot, Run, Sweep};
         let format = Format::of(study.out.as_deref());
         let command = study.command;
         let (is_of_command, is_built) = match format {
             Format::Text => (true, true),
-            Format::Png => {
-                (matches!(command, Draw | Plot) || command == Influence && study.svg, cfg!(feature = "png"))
-            }
+            Format::Png => (
+                matches!(command, Draw | Plot) || matches!(command, Influence | Sweep) && study.svg,
+                cfg!(feature = "png"),
+            ),
             Format::Arrow => (command == Run, cfg!(feature = "arrow")),
         };
         let (name, instead) = match format {

@@ -6,6 +6,7 @@ mod arrow;
 pub mod draw;
 pub mod expression;
 mod format;
+mod heat_map;
 mod influence;
 pub mod inputs;
 mod measure;

@@ -51,7 +51,7 @@ impl Command {
             Command::Run => &["show", "out", "json"],
             Command::Plot => &["show", "against", "out", "json"],
             Command::Animate => &["svg", "speed", "out", "json"],
-            Command::Sweep => &["over", "measure", "out", "json"],
+            Command::Sweep => &["over", "measure", "svg", "out", "json"],
             Command::Influence => &["of", "measure", "by", "along", "svg", "against", "csv", "out", "json"],
             Command::Draw => return vec!["mechanism", "set", "dimensions", "out", "json"],
             Command::Watch => &["port"],
@@ -135,7 +135,8 @@ usage: linkwright sweep [options] FILE
   --over NAME=FROM..TO:COUNT   values of a parameter, in its unit; given twice, all pairs of values
   --measure EXPRESSION         max, min, mean, rms, range, first or last of a column, 'max(swing) - min(swing)'; may be repeated.
                                Columns are those of `linkwright run --show outputs,energy,residual,reactions,efforts,powers`
-  --out FILE                   in place of standard output
+  --svg                        a picture: what is measured against the parameter, or over both parameters in colours
+  --out FILE                   in place of standard output; a picture whose name ends in .png is written as PNG
   --json                       for machines
 
 --mechanism, --for, --step, --every, --formulation, --integrator, --set, --input and --native are those of `linkwright run`.

@@ -122,24 +122,28 @@ pub fn picture_against(
 }
 
 /// A unit as it is printed.
-fn typeset(unit: &str) -> String {
+pub fn typeset(unit: &str) -> String {
     unit.replace('*', "·").replace("^2", "²").replace("^3", "³")
+}
+
+/// The beginning of a picture with its title, the colours of light and dark surroundings, and its paper.
+pub fn head(title: &str, width: f64, height: f64) -> String {
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" \
+         font-family=\"sans-serif\" font-size=\"12\">\n<title>{}</title>\n\
+         <style>svg{{--ink:#1b2330;--muted:#586373;--grid:#e3e7ed;--line:#1f6fd1;--paper:#fff}}\
+         @media(prefers-color-scheme:dark){{svg{{--ink:#e4e9f0;--muted:#9aa7b8;--grid:#2a323e;--line:#62a5f5;--paper:#12161d}}}}\
+         text{{fill:var(--muted)}}.title{{fill:var(--ink);font-weight:600}}.grid{{stroke:var(--grid)}}</style>\n\
+         <rect width=\"{width}\" height=\"{height}\" fill=\"var(--paper)\"/>\n",
+        escaped(title)
+    )
 }
 
 fn picture(name: &str, axis: &Axis, curves: &[&Curve], ranges: &[Option<[f64; 2]>]) -> String {
     let heights: Vec<f64> = curves.iter().map(|curve| axis.height(curve)).collect();
     let height = heights.iter().sum::<f64>() + BELOW;
-    let mut svg = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" viewBox=\"0 0 {WIDTH} {height}\" width=\"{WIDTH}\" height=\"{height}\" \
-         font-family=\"sans-serif\" font-size=\"12\">\n<title>{} {} {}</title>\n\
-         <style>svg{{--ink:#1b2330;--muted:#586373;--grid:#e3e7ed;--line:#1f6fd1;--paper:#fff}}\
-         @media(prefers-color-scheme:dark){{svg{{--ink:#e4e9f0;--muted:#9aa7b8;--grid:#2a323e;--line:#62a5f5;--paper:#12161d}}}}\
-         text{{fill:var(--muted)}}.title{{fill:var(--ink);font-weight:600}}.grid{{stroke:var(--grid)}}</style>\n\
-         <rect width=\"{WIDTH}\" height=\"{height}\" fill=\"var(--paper)\"/>\n",
-        escaped(name),
-        if axis.name == "time" { "over" } else { "against" },
-        escaped(axis.name)
-    );
+    let over = if axis.name == "time" { "over" } else { "against" };
+    let mut svg = head(&format!("{name} {over} {}", axis.name), WIDTH, height);
     let (begin, end) = axis.range();
     let span = (end - begin).max(1e-12);
     let across = |time: f64| LEFT + (WIDTH - LEFT - RIGHT) * (time - begin) / span;
@@ -206,10 +210,10 @@ fn panel(
     }
     let (above, below) = (top + TITLE + 4.0, top + height - FOOT);
     let upward = |value: f64| below - (below - above) * (value - least) / (most - least);
-    let unit = typeset(&curve.unit);
+    let unit = if curve.unit.is_empty() { String::new() } else { format!(", {}", typeset(&curve.unit)) };
     let _ = writeln!(
         svg,
-        "<text class=\"title\" x=\"{LEFT}\" y=\"{:.1}\">{}, {}</text>",
+        "<text class=\"title\" x=\"{LEFT}\" y=\"{:.1}\">{}{}</text>",
         top + TITLE - 4.0,
         escaped(&curve.name),
         escaped(&unit)
@@ -251,7 +255,10 @@ fn panel(
 
 /// Round numbers between two, at least about so many.
 pub fn ticks(least: f64, most: f64, count: f64) -> Vec<f64> {
-    let rough = ((most - least) / count).max(1e-300);
+    if least >= most {
+        return vec![least];
+    }
+    let rough = (most - least) / count;
     let power = 10_f64.powf(rough.log10().floor());
     let steps = [10.0, 5.0, 2.0, 1.0].into_iter().map(|k| k * power);
     let step = steps.into_iter().find(|step| *step <= rough * 1.001).unwrap_or(power);
@@ -268,7 +275,7 @@ fn raised(power: i32) -> String {
 }
 
 /// A number of an axis.
-fn figure(value: f64) -> String {
+pub fn figure(value: f64) -> String {
     let text = short((value * 1e12).round() / 1e12).replace('-', "−");
     match text.split_once('e') {
         Some((digits, power)) => {

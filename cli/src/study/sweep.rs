@@ -1,9 +1,12 @@
 //! `linkwright sweep`: a run for each value of a parameter, or for each pair of values of two, on all cores, and what is measured of each.
 
 use super::expression::{Expression, unknown};
+use super::heat_map::{Map, Side, heat_maps};
 use super::measure::{GROUPS, measures, value};
 use super::options::Study;
-use super::record::columns;
+use super::picture::write_picture;
+use super::plot::{Curve, picture_against};
+use super::record::{Group, columns};
 use super::runs::{on_all_cores, run_with};
 use super::{Done, Failure, Loaded, laws, short, write};
 use crate::with_engine;
@@ -31,6 +34,11 @@ impl Over {
         let count: u32 = count.trim().parse().map_err(|_| wrong())?;
         if !(2..=10_000).contains(&count) {
             return Err(format!("--over {name}: {count} values are asked for; there can be 2 to 10000"));
+        }
+        if from == to {
+            return Err(format!(
+                "--over {name}: both ends are {from}; write another, or --set {name}={from}"
+            ));
         }
         let value = |k: u32| from + (to - from) * f64::from(k) / f64::from(count - 1);
         Ok(Over { name: name.trim().to_string(), values: (0..count).map(value).collect() })
@@ -61,8 +69,12 @@ pub fn sweep(study: &Study, loaded: &Loaded) -> Result<Done, Failure> {
             Err(error) => json!({ "values": point.values, "measured": null, "failure": error }),
         }).collect::<Vec<Value>>(),
     });
+    if study.svg && (!study.json || study.out.is_some()) {
+        write_picture(study.out.as_deref(), &picture(study, loaded, &points))?;
+    } else if !study.json {
+        write(study.out.as_deref(), csv(study, loaded, &points))?;
+    }
     if !study.json {
-        write(study.out.as_deref(), &csv(study, loaded, &points))?;
         eprintln!(
             "{}: {} runs of {} s, {failed} failed",
             loaded.name,
@@ -81,6 +93,9 @@ fn combinations(study: &Study, loaded: &Loaded) -> Result<Vec<Vec<f64>>, String>
     let known = || loaded.compiled.mechanism.parameters.iter().map(|it| it.name.text.as_str());
     if let Some(over) = study.over.iter().find(|over| !known().any(|name| name == over.name)) {
         return Err(unknown("--over: no parameter is called", &over.name, known()));
+    }
+    if study.svg && study.over.len() > 2 {
+        return Err("--svg is of one `--over` or two: more have no picture".to_string());
     }
     let mut all: Vec<Vec<f64>> = vec![Vec::new()];
     for over in &study.over {
@@ -119,13 +134,46 @@ fn points(
     Ok(combined.into_iter().zip(found).map(point).collect())
 }
 
+/// Measures against the parameter, or in colours over both of them.
+fn picture(study: &Study, loaded: &Loaded, points: &[Point]) -> String {
+    let of = |index: usize| {
+        points.iter().map(|point| point.measured.as_ref().map_or(f64::NAN, |it| it[index])).collect()
+    };
+    let sides: Vec<Side> = study
+        .over
+        .iter()
+        .map(|over| Side { name: &over.name, unit: unit(loaded, over), values: over.values.clone() })
+        .collect();
+    let measures = study.measures.iter().enumerate();
+    match &sides[..] {
+        [across, upward] => {
+            let maps: Vec<Map> = measures.map(|(index, name)| Map { name, values: of(index) }).collect();
+            heat_maps(&loaded.name, [across, upward], &maps)
+        }
+        sides => {
+            let curve = |(index, name): (usize, &String)| Curve {
+                name: name.clone(),
+                unit: String::new(),
+                group: Group::Outputs,
+                values: of(index),
+            };
+            let curves: Vec<Curve> = measures.map(curve).collect();
+            let axis =
+                sides.first().map_or(("", "", &[][..]), |side| (side.name, side.unit, &side.values[..]));
+            picture_against(&loaded.name, axis, &curves, &[])
+        }
+    }
+}
+
+/// The unit of a parameter.
+fn unit<'l>(loaded: &'l Loaded, over: &Over) -> &'l str {
+    let known = &loaded.compiled.mechanism.parameters;
+    known.iter().find(|it| it.name.text == over.name).map_or("1", |it| it.unit.text.as_str())
+}
+
 /// A line for each run; of a failed one its message in the last column.
 fn csv(study: &Study, loaded: &Loaded, points: &[Point]) -> String {
-    let known = &loaded.compiled.mechanism.parameters;
-    let head = study.over.iter().map(|over| {
-        let unit = known.iter().find(|it| it.name.text == over.name).map_or("1", |it| it.unit.text.as_str());
-        format!("{} [{unit}]", over.name)
-    });
+    let head = study.over.iter().map(|over| format!("{} [{}]", over.name, unit(loaded, over)));
     let measures = study.measures.iter().map(|measure| format!("\"{}\"", measure.replace('"', "\"\"")));
     let head: Vec<String> = head.chain(measures).chain(["failure".to_string()]).collect();
     let mut text = head.join(",") + "\n";
@@ -158,7 +206,7 @@ mod tests {
     fn ranges() {
         let over = Over::parse("l=0.2..0.5:4").expect("it is one");
         assert_eq!(over.values.iter().map(|value| tidy(*value)).collect::<Vec<_>>(), [0.2, 0.3, 0.4, 0.5]);
-        for text in ["l", "l=1..2", "l=1:3", "l=a..2:3", "l=1..2:1", "l=1..2:x"] {
+        for text in ["l", "l=1..2", "l=1:3", "l=a..2:3", "l=1..2:1", "l=1..2:x", "l=2..2:3"] {
             assert!(Over::parse(text).is_err(), "{text}");
         }
     }
