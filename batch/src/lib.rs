@@ -38,15 +38,21 @@
 //! # }
 //! ```
 //!
+//! With the feature `arrow` results become record batches of Apache Arrow: `record_batch` of [`Columns`] and [`Recording`].
+//!
 //! Lanes pay where the processor is told of them: `RUSTFLAGS="-C target-cpu=native"`.
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
+#[cfg(feature = "arrow")]
+mod arrow;
 mod batch;
 mod failure;
 mod law;
 mod results;
 
+#[cfg(feature = "arrow")]
+pub use arrow::InArrow;
 pub use batch::{Batch, Summary, Widest};
 pub use failure::{BatchError, Failure};
 pub use law::{Constant, Each, Group, InLanesOf, Law, PerMember};

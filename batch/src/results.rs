@@ -20,6 +20,11 @@ impl<R: Real> Columns<R> {
         &self.names
     }
 
+    /// How many members there are.
+    pub fn members(&self) -> usize {
+        self.members
+    }
+
     /// One number for each member.
     pub fn column(&self, name: &str) -> Option<&[R]> {
         let index = self.names.iter().position(|own| *own == name)?;

@@ -1,6 +1,7 @@
-"""Files whose names end in `.arrow` and `.png`, read by others than those that wrote them: `read.py LINKWRIGHT FOLDER`."""
+"""Files whose names end in `.arrow` and `.png`, read by others than those that wrote them: `read.py LINKWRIGHT FOLDER BATCH`."""
 
 import json
+import math
 import subprocess
 import sys
 from pathlib import Path
@@ -38,6 +39,24 @@ def a_run():
     print(f"{len(rows)} rows of {len(names)} columns in Arrow")
 
 
+def a_batch():
+    """A row for each step that was recorded and each member, to the bit; who could not be prepared is no number."""
+    path = Path(sys.argv[2]) / "batch.arrow"
+    text = subprocess.run([sys.argv[3], str(path)], check=True, capture_output=True, text=True).stdout
+    rows = [line.split(",") for line in text.splitlines()]
+    table = pyarrow.ipc.open_file(path).read_all()
+    assert table.column_names == ["step", "member", "height", "across"], table.column_names
+    assert [str(field.type) for field in table.schema] == ["uint64", "uint64", "double", "double"], table.schema
+    assert table.num_rows == len(rows) == 4 * 13, len(rows)
+    for row, (step, member, *numbers) in zip(table.to_pylist(), rows):
+        assert (row["step"], row["member"]) == (int(step), int(member)), row
+        for name, number in zip(["height", "across"], numbers):
+            # Of member 0, whose length is out of bounds, NaN.
+            assert row[name] == float(number) or member == "0" and math.isnan(row[name]), (row, number)
+    assert -1.25 <= min(row["height"] for row in table.to_pylist()[1:13] + table.to_pylist()[40:]) < -0.2
+    print(f"{len(rows)} rows of a batch in Arrow")
+
+
 def pictures():
     """Pictures have paper, lines and letters in the colours of the SVG."""
 
@@ -64,4 +83,5 @@ def pictures():
 
 
 a_run()
+a_batch()
 pictures()
