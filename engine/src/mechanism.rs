@@ -135,6 +135,9 @@ impl<D: 'static> Mechanism<f64> for Engine<D> {
     fn is_rigid(&self) -> bool {
         self.shared.tables.rigid
     }
+    fn parts_by_impulses(&self) -> bool {
+        self.shared.tables.by_impulses
+    }
     fn strikes(
         &self,
         time: f64,

@@ -222,6 +222,11 @@ pub trait Mechanism<R: Real>: Variables<R> {
     fn is_rigid(&self) -> bool {
         false
     }
+    /// Whether the restitution of rigid contacts is of impulses (Poisson), and not of speeds (Newton).
+    #[inline(always)]
+    fn parts_by_impulses(&self) -> bool {
+        false
+    }
     /// Of each rigid contact the rate ġ of its gap (m/s or rad/s), what of g̈ is there at v̇ = 0 (m/s² or rad/s²), and the share of
     /// the speed of approach with which it parts.
     #[inline(always)]

@@ -242,6 +242,70 @@ fn what_rests_parts_where_its_force_ends() {
     close(simulation.state().q[2], height, 1e-9, "height in flight");
 }
 
+/// Three balls in a row, of which the first comes to the second, and the second touches the third.
+macro_rules! row {
+    ($name:ident, $law:ident) => {
+        linkwright::mechanism! {
+            planar $name {
+                param first [1] = 0;
+                param second [1] = 1;
+                disk a { mass [kg] = 1; radius [m] = 0.5; }
+                disk b { mass [kg] = 1; radius [m] = 0.5; }
+                disk c { mass [kg] = 1; radius [m] = 0.5; }
+                contact ab: between(a.surface, b.surface) = rigid(restitution = first);
+                contact bc: between(b.surface, c.surface) = rigid(restitution = second);
+                start { a.center.x [m] = -2; a.center.y [m] = 0; a.angle [rad] = 0; a.center.velocity.x [m/s] = 1;
+                        b.center.x [m] = 0; b.center.y [m] = 0; b.angle [rad] = 0; c.center.x [m] = 1; c.center.y [m] = 0; c.angle [rad] = 0; }
+                options { impact = $law; }
+                output a [m/s] = a.center.velocity.x;
+                output b [m/s] = b.center.velocity.x;
+                output c [m/s] = c.center.velocity.x;
+            }
+        }
+    };
+}
+row!(RowByNewton, newton);
+row!(RowByPoisson, poisson);
+
+/// Speeds after a blow of the first of three equal balls on two that touch, with v = 1 m/s, m = 1 kg, G = [2 −1; −1 2]. Newton: ġ⁺ = (e₁, 0), so that
+/// the second and the third go on together. Poisson: P_c = (2/3, 1/3), then e P_c of each, and 1/6 more for the first with e = (0, 1), whose gap
+/// would close again.
+#[test]
+fn restitution_is_of_speeds_or_of_impulses() {
+    macro_rules! speeds {
+        ($model:ident, $parameters:ident, $first:expr, $second:expr) => {{
+            let model = $model::prepare($parameters { first: $first, second: $second }).expect("shares");
+            let mut simulation = Simulation::new(&model, $model::START).step(1e-2);
+            let mut lost = 0.0;
+            let mut impacts = 0;
+            while impacts == 0 {
+                let step = simulation.advance().expect("it moves");
+                (impacts, lost) = (step.impacts, step.lost);
+            }
+            let o = simulation.sample().outputs;
+            close(o.a + o.b + o.c, 1.0, 1e-12, "momentum");
+            close(0.5 * (o.a * o.a + o.b * o.b + o.c * o.c) + lost, 0.5, 1e-12, "energy and loss");
+            [o.a, o.b, o.c]
+        }};
+    }
+    let third = 1.0 / 3.0;
+    for (first, second, newton, poisson) in [
+        (0.0, 0.0, [third; 3], [third; 3]),
+        (0.0, 1.0, [third; 3], [third / 2.0, third / 2.0, 2.0 * third]),
+        (1.0, 1.0, [-third, 2.0 * third, 2.0 * third], [-third, 2.0 * third, 2.0 * third]),
+        (0.5, 0.5, [0.0, 0.5, 0.5], [0.0, 0.5, 0.5]),
+        (0.5, 1.0, [0.0, 0.5, 0.5], [0.0, third, 2.0 * third]),
+    ] {
+        let found = [
+            speeds!(RowByNewton, RowByNewtonParameters, first, second),
+            speeds!(RowByPoisson, RowByPoissonParameters, first, second),
+        ];
+        for (found, expected) in found.iter().flatten().zip(newton.iter().chain(&poisson)) {
+            close(*found, *expected, 1e-12, "speed");
+        }
+    }
+}
+
 /// What cannot be is named, and changes nothing.
 #[test]
 fn what_cannot_be_is_named() {

@@ -50,6 +50,9 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
         if mechanism.is_rigid() {
             tables::method(text, "is_rigid", "bool", "true");
         }
+        if mechanism.options.by_impulses {
+            tables::method(text, "parts_by_impulses", "bool", "true");
+        }
     }
     functions(text, &mut helpers, emitter, Interface::Mechanism);
     if mechanism.states.is_empty() {

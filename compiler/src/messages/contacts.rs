@@ -209,6 +209,13 @@ pub(crate) fn rigid_without_restitution() -> String {
         .to_string()
 }
 
+pub(crate) fn strikes_nothing(word: &str) -> String {
+    format!(
+        "`impact = {word}` says how rigid contacts part, and no contact is rigid here: write `= rigid(restitution = 0.5)` for one, or leave this \
+         line out"
+    )
+}
+
 pub(crate) fn rigid_and_live(rigid: &str) -> String {
     format!(
         "`{rigid}` is rigid, and a touch of it is found within the step: its gates are held; leave `contact = live` out, or give `{rigid}` a law \

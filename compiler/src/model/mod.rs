@@ -446,6 +446,8 @@ pub struct Options {
     pub held: bool,
     /// Where that is said.
     pub held_at: Option<Region>,
+    /// Whether restitutions of rigid contacts are of impulses, by Poisson's law, and not of speeds.
+    pub by_impulses: bool,
     /// Whether principal moments may be those of no real body, as in some published data.
     pub accept_inertia: bool,
     /// Joints that the spanning tree must not use.

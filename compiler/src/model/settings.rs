@@ -24,7 +24,7 @@ impl<'d> Lowering<'d> {
         let mut emit = Emit::default();
         let (mut self_check, mut export_c, mut friction_passes) = (None, None, None);
         let held = self.holds_gates();
-        let mut held_at = None;
+        let (mut held_at, mut by_impulses) = (None, false);
         for entry in &self.definition.options {
             match entry {
                 OptionEntry::Coordinates(word) => {
@@ -70,6 +70,12 @@ impl<'d> Lowering<'d> {
                         self.diagnostics.error(export, messages::held_in_c());
                     }
                 }
+                OptionEntry::Impact(word) => {
+                    by_impulses = word.text == "poisson";
+                    if !self.has_rigid_contacts() {
+                        self.diagnostics.error(word.region, messages::strikes_nothing(&word.text));
+                    }
+                }
                 OptionEntry::Crate(path) => crate_path = Some(path.to_string()),
             }
         }
@@ -82,6 +88,7 @@ impl<'d> Lowering<'d> {
             friction_passes,
             held,
             held_at,
+            by_impulses,
             accept_inertia,
             cut,
             independent,
@@ -101,6 +108,7 @@ impl<'d> Lowering<'d> {
             OptionEntry::SelfCheck(label) => Some(("self_check", label)),
             OptionEntry::ExportC(label) => Some(("export_c", label)),
             OptionEntry::Contact(label) => Some(("contact", label)),
+            OptionEntry::Impact(label) => Some(("impact", label)),
             _ => None,
         };
         let mut seen: Vec<(&str, &Label)> = Vec::new();

@@ -381,6 +381,8 @@ pub enum OptionEntry {
     FrictionPasses(usize, Region),
     /// `live` or `held`.
     Contact(Label),
+    /// `newton` or `poisson`.
+    Impact(Label),
     ExportC(Label),
     Crate(TokenStream),
 }

@@ -565,6 +565,7 @@ impl Writer {
             OptionEntry::Inertia(word) => self.key("inertia").string(&word.text),
             OptionEntry::Cut(joints) => self.key("cut").array(joints, |w, joint| w.string(&joint.text)),
             OptionEntry::Contact(word) => self.key("contact").string(&word.text),
+            OptionEntry::Impact(word) => self.key("impact").string(&word.text),
             OptionEntry::Independent(paths) => {
                 self.key("independent").array(paths, |w, path| w.name(&path.text));
             }

@@ -65,7 +65,7 @@ impl Parser<'_> {
 
     /// `{ coordinates = auto; cut = (joint, …); … }`
     pub fn options(&mut self, c: &mut Cursor) -> Parsed<()> {
-        const KNOWN: [&str; 12] = [
+        const KNOWN: [&str; 13] = [
             "coordinates",
             "solution",
             "redundant",
@@ -76,6 +76,7 @@ impl Parser<'_> {
             "self_check",
             "friction_passes",
             "contact",
+            "impact",
             "export_c",
             "crate",
         ];
@@ -98,6 +99,7 @@ impl Parser<'_> {
                 "self_check" => OptionEntry::SelfCheck(parser.choice(c, &["on", "off"])?),
                 "friction_passes" => parser.friction_passes(c)?,
                 "contact" => OptionEntry::Contact(parser.choice(c, &["live", "held"])?),
+                "impact" => OptionEntry::Impact(parser.choice(c, &["newton", "poisson"])?),
                 "export_c" => OptionEntry::ExportC(parser.choice(c, &["f64", "f32"])?),
                 _ => OptionEntry::Crate(parser.crate_path(c)?),
             };

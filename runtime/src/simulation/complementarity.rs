@@ -1,4 +1,4 @@
-//! The complementarity problem of a few contacts: which of them push, and how much.
+//! The complementarity problem of a few contacts: which of them push, and how much; and the laws of impacts, which are such problems.
 
 use crate::real::Real;
 use crate::vector::{at, dot, put};
@@ -12,12 +12,47 @@ const NOTHING: f64 = 1e-11;
 /// One number for each contact that touches.
 pub(super) type Few<R> = [R; RIGID_TOUCHING];
 
-/// 0 ≤ x ⟂ G x + c ≥ 0 of all `count` contacts.
-pub(super) fn complementary<R: Real>(
+/// The impulses of contacts whose gaps close with `rates` ġ⁻, by restitutions e of speeds: 0 ≤ P ⟂ G P + (1 + e) ġ⁻ ≥ 0. What would part slower
+/// than `rests` does not bounce.
+pub(super) fn newton<R: Real>(
     matrix: &[Few<R>; RIGID_TOUCHING],
-    right: &Few<R>,
     count: usize,
+    rates: &Few<R>,
+    shares: &Few<R>,
+    rests: &Few<R>,
 ) -> Option<Few<R>> {
+    let wanted = core::array::from_fn(|place| {
+        let (rate, share) = (at(rates, place), at(shares, place));
+        if -rate * share > at(rests, place) { (R::ONE + share) * rate } else { rate }
+    });
+    complementary(matrix, &wanted, count)
+}
+
+/// The same by restitutions of impulses: 0 ≤ P_c ⟂ G P_c + ġ⁻ ≥ 0 ends the approach, then P = (1 + e) P_c + X with 0 ≤ X ⟂ G P + ġ⁻ ≥ 0. How
+/// fast something parts is here the rate that its impulse alone gives.
+pub(super) fn poisson<R: Real>(
+    matrix: &[Few<R>; RIGID_TOUCHING],
+    count: usize,
+    rates: &Few<R>,
+    shares: &Few<R>,
+    rests: &Few<R>,
+) -> Option<Few<R>> {
+    let mut given = complementary(matrix, rates, count)?;
+    for (place, row) in matrix.iter().enumerate().take(count) {
+        let (impulse, share) = (at(&given, place), at(shares, place));
+        if share * impulse * at(row, place) > at(rests, place) {
+            put(&mut given, place, (R::ONE + share) * impulse);
+        }
+    }
+    let left = core::array::from_fn(|place| {
+        at(rates, place) + matrix.get(place).map_or(R::ZERO, |row| dot(row, &given))
+    });
+    let more = complementary(matrix, &left, count)?;
+    Some(core::array::from_fn(|place| at(&given, place) + at(&more, place)))
+}
+
+/// 0 ≤ x ⟂ G x + c ≥ 0 of all `count` contacts.
+fn complementary<R: Real>(matrix: &[Few<R>; RIGID_TOUCHING], right: &Few<R>, count: usize) -> Option<Few<R>> {
     complementary_of(matrix, right, count, (1 << count) - 1)
 }
 

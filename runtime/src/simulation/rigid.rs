@@ -2,7 +2,8 @@
 //!
 //! ```text
 //! W = K⁻¹ [Jᵀ; 0],  G = J W        J the gradients of the gaps that touch, K = [M, Dᵀ; D, 0]
-//! impulse   v⁺ = v⁻ + W P,    0 ≤ P ⟂ G P + (1 + e) ġ⁻ ≥ 0
+//! impulse   v⁺ = v⁻ + W P,    0 ≤ P ⟂ G P + (1 + e) ġ⁻ ≥ 0                                    (Newton)
+//!           P = (1 + e) P_c + X,    0 ≤ P_c ⟂ G P_c + ġ⁻ ≥ 0,    0 ≤ X ⟂ G P + ġ⁻ ≥ 0        (Poisson)
 //! rest      v̇ = v̇₀ + W λ,    0 ≤ λ ⟂ G λ + J v̇₀ + J̇ v ≥ 0
 //! ```
 //! v̇₀ is what the formulation finds without them. e is Newton's restitution, 0 where the flight after it would take less than [`FLIGHT`] of
@@ -10,7 +11,7 @@
 //! pull. Both problems are solved by trying which contacts push (Pfeiffer and Glocker, Multibody Dynamics with Unilateral Contacts, 1996).
 //! Where steps are parted is `held.rs`.
 
-use super::complementarity::{Few, RIGID_TOUCHING, complementary, complementary_of, solved};
+use super::complementarity::{Few, RIGID_TOUCHING, complementary_of, newton, poisson, solved};
 use super::{MechanismDynamics, Simulation};
 use crate::error::SimulationError;
 use crate::formulation::Formulation;
@@ -240,14 +241,14 @@ where
             .each()
             .any(|(place, i)| at(&rates, place) < -still && at(gaps.as_slice(), i) <= R::ZERO && !closed(i));
         if strikes {
-            let mut wanted = rates;
+            let mut bounces = [R::ZERO; RIGID_TOUCHING];
             for (place, i) in touching.each() {
-                let (rate, share) = (at(&rates, place), at(shares.as_slice(), i));
-                if !closed(i) && rate < R::ZERO && -rate * share > at(&rests, place) {
-                    put(&mut wanted, place, (R::ONE + share) * rate);
-                }
+                // What rests has no speed to part with; by Poisson's law it has an impulse.
+                let bounces_off = model.parts_by_impulses() || !closed(i);
+                put(&mut bounces, place, if bounces_off { at(shares.as_slice(), i) } else { R::ZERO });
             }
-            let Some(impulses) = complementary(&touching.matrix, &wanted, touching.count) else {
+            let law = if model.parts_by_impulses() { poisson } else { newton };
+            let Some(impulses) = law(&touching.matrix, touching.count, &rates, &bounces, &rests) else {
                 return Err(self.no_impact(&touching));
             };
             for ((place, _), way) in touching.each().zip(&touching.ways) {

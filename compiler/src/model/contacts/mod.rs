@@ -108,7 +108,11 @@ impl<'d> Lowering<'d> {
     pub(super) fn holds_gates(&self) -> bool {
         let options = &self.definition.options;
         options.iter().any(|it| matches!(it, OptionEntry::Contact(word) if word.text == "held"))
-            || self.definition.contacts.iter().any(rigid::is_rigid)
+            || self.has_rigid_contacts()
+    }
+
+    pub(super) fn has_rigid_contacts(&self) -> bool {
+        self.definition.contacts.iter().any(rigid::is_rigid)
     }
 
     /// Which contact a quantity is of.
