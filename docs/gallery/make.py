@@ -44,6 +44,7 @@ SETTINGS = {
     "dump_truck_tipping": "--input valve=0.5",
     "loose_wrist": "--for 0.2s --step 10us --speed 0.1",
     "flexible_arm": "--for 10s --step 1ms --input yaw_torque=300*sin(pi*t/4) --input shoulder_torque=-150*sin(pi*t/4) --input elbow_torque=60*sin(pi*t/4)",
+    "laval_rotor": "--for 1s --step 200us --speed 0.2",
     "flexible_quick_return": "--for 0.6s --step 10us --speed 0.1",
     "flexible_slider_crank": "--for 80ms --step 1us --speed 0.02",
     "quick_return": "--for 1.7s --speed 0.5",
@@ -69,7 +70,7 @@ SECTIONS = [
     ("Contact and friction", ["bouncing_ball", "falling_cross", "hammer_at_wall", "loose_wrist",
         "ball_between_walls", "hammer_at_rigid_wall", "slider_crank_on_stop", "rimless_wheel", "rod_on_pin", "rubbing_four_bar", "rolling",
         "rubbing_block", "lugre_block"]),
-    ("Flexible bodies", ["flexible_quick_return", "flexible_slider_crank", "flexible_pendulum", "spinning_beam", "flexible_arm"]),
+    ("Flexible bodies", ["flexible_quick_return", "flexible_slider_crank", "flexible_pendulum", "spinning_beam", "flexible_arm", "laval_rotor"]),
     ("Pendulums and tops", []),
 ]
 

@@ -1,5 +1,5 @@
 //! Beams: shapes, and M, forces and energies slice by slice. Nothing is integrated over shapes beforehand; each slice is
-//! a point mass whose velocity is that of its place on the deformed axis, drawn in by bending or not.
+//! a point mass whose velocity is that of its place on the deformed axis, drawn in by bending or not, and a disc that turns about the axis.
 
 mod shape;
 
@@ -9,7 +9,7 @@ use shape::{Shape, polynomials, root, slices};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Most modes of a beam, all kinds together.
-pub(crate) const MOST: usize = 36;
+pub(crate) const MOST: usize = 48;
 
 #[derive(Clone, Debug)]
 pub(crate) struct Beam {
@@ -40,10 +40,11 @@ pub(crate) struct Made<'a> {
     pub axial: usize,
     /// Along y and along z.
     pub bending: [usize; 2],
+    pub torsion: usize,
     pub spatial: bool,
     pub mass: f64,
-    /// EA, and EI of bending along y and along z.
-    pub rigidity: [f64; 3],
+    /// EA, EI of bending along y and along z, and G J_t.
+    pub rigidity: [f64; 4],
     /// The square of the section's radius of gyration about the axis, m².
     pub polar: f64,
     pub damping_ratio: f64,
@@ -55,8 +56,9 @@ pub(crate) struct Made<'a> {
 #[derive(Clone, Debug)]
 struct Mode {
     name: String,
-    /// Along which axis of the frame: x is its own.
+    /// Along which axis of the frame: x is its own. Of torsion it moves nothing.
     axis: usize,
+    twists: bool,
     shape: Shape,
 }
 
@@ -90,22 +92,24 @@ struct Moved {
 impl Beam {
     /// `None` of shapes that are not known or too many modes.
     pub fn new(made: &Made) -> Option<Self> {
-        let Made { shapes, length, axial, bending, .. } = *made;
-        if axial + bending[0] + bending[1] > MOST
+        let Made { shapes, length, axial, bending, torsion, .. } = *made;
+        if axial + bending[0] + bending[1] + torsion > MOST
             || !matches!(shapes, "free" | "clamped" | "pinned" | "static")
         {
             return None;
         }
         let mut modes = Vec::new();
         let stretched = if made.quadratic || shapes == "static" { polynomials(axial, 1) } else { Vec::new() };
+        let twisted = if shapes == "static" { polynomials(torsion, 1) } else { Vec::new() };
+        // Those of a bar and of a shaft, which have one equation.
+        let wave = |polynomial: Option<&Shape>, number: usize| match (polynomial, shapes) {
+            (Some(shape), _) => shape.clone(),
+            (None, "free") => Shape::Wave { lambda: (number as f64 + 1.0) * PI, phase: FRAC_PI_2 },
+            _ => Shape::Wave { lambda: (2.0 * number as f64 + 1.0) * FRAC_PI_2, phase: 0.0 },
+        };
         for number in 0..axial {
-            let k = number as f64;
-            let shape = match (stretched.get(number), shapes) {
-                (Some(shape), _) => shape.clone(),
-                (None, "free") => Shape::Wave { lambda: (k + 1.0) * PI, phase: FRAC_PI_2 },
-                _ => Shape::Wave { lambda: (2.0 * k + 1.0) * FRAC_PI_2, phase: 0.0 },
-            };
-            modes.push(Mode { name: format!("axial[{number}]"), axis: 0, shape });
+            let shape = wave(stretched.get(number), number);
+            modes.push(Mode { name: format!("axial[{number}]"), axis: 0, twists: false, shape });
         }
         for (axis, number) in
             [1, 2].into_iter().flat_map(|axis| (0..bending[axis - 1]).map(move |k| (axis, k)))
@@ -125,7 +129,11 @@ impl Beam {
                 (true, 1) => "bending_y",
                 _ => "bending_z",
             };
-            modes.push(Mode { name: format!("{way}[{number}]"), axis, shape });
+            modes.push(Mode { name: format!("{way}[{number}]"), axis, twists: false, shape });
+        }
+        for number in 0..torsion {
+            let shape = wave(twisted.get(number), number);
+            modes.push(Mode { name: format!("torsion[{number}]"), axis: 0, twists: true, shape });
         }
         let start = if shapes == "free" { -0.5 * length } else { 0.0 };
         let mut beam = Beam {
@@ -143,7 +151,7 @@ impl Beam {
         };
         for (share_of_length, share) in slices().iter().copied() {
             let x = start + length * share_of_length;
-            let values = (0..beam.modes.len()).map(|mode| beam.value(mode, x)).collect();
+            let values = (0..beam.modes.len()).map(|mode| beam.derivative(mode, x, 0)).collect();
             let gammas = beam.gammas(x);
             beam.slices.push(Slice { x, share, values, gammas });
         }
@@ -160,8 +168,10 @@ impl Beam {
             let bent = |slice: &Slice| (beam.derivative(index, slice.x, order)).powi(2);
             let integral =
                 |f: &dyn Fn(&Slice) -> f64| -> f64 { beam.slices.iter().map(|it| it.share * f(it)).sum() };
-            let stiffness = made.rigidity[mode.axis] * length * integral(&bent);
-            let moved = made.mass * integral(&|slice: &Slice| slice.values[index].powi(2));
+            let rigidity = if mode.twists { made.rigidity[3] } else { made.rigidity[mode.axis] };
+            let stiffness = rigidity * length * integral(&bent);
+            let whole = if mode.twists { beam.spin } else { made.mass };
+            let moved = whole * integral(&|slice: &Slice| slice.values[index].powi(2));
             beam.stiffness.push(stiffness);
             beam.damping.push(2.0 * made.damping_ratio * (stiffness * moved).sqrt());
         }
@@ -182,20 +192,21 @@ impl Beam {
         self.modes.iter().position(|mode| mode.name == name)
     }
 
-    /// N of a mode at x.
+    /// N of a mode at x, by which it moves the axis there.
     pub fn value(&self, mode: usize, x: f64) -> f64 {
-        self.derivative(mode, x, 0)
+        if self.modes[mode].twists { 0.0 } else { self.derivative(mode, x, 0) }
     }
 
-    /// N′ of a mode at x, by which it turns the section there, 1/m.
+    /// N′ of a mode at x, by which it turns the section there by bending, 1/m.
     pub fn slope(&self, mode: usize, x: f64) -> f64 {
         if self.modes[mode].axis == 0 { 0.0 } else { self.derivative(mode, x, 1) }
     }
 
-    /// In space: Cayley's rotation by r = (0, −Σ N′ p_z, Σ N′ p_y), as the Euler parameters (1, r/2) of no particular length. With n their
+    /// In space: Cayley's rotation by r = (Σ N_t p_t, −Σ N′ p_z, Σ N′ p_y), as the Euler parameters (1, r/2) of no particular length. With n their
     /// square and e the vector of r/2, ω′ = (ṙ + e × ṙ)/n in the axes of the body, so that ω̇′ at v̇ = 0 is −(n˙/n) ω′.
     pub fn turning(&self, x: f64, modal: &[[f64; 2]]) -> Turning {
         let about = |mode: usize| match self.modes[mode].axis {
+            0 if self.modes[mode].twists => [self.derivative(mode, x, 0), 0.0, 0.0],
             0 => ZERO,
             1 => [0.0, 0.0, self.slope(mode, x)],
             _ => [0.0, -self.slope(mode, x), 0.0],
@@ -262,7 +273,8 @@ impl Beam {
     fn moved(&self, frame: &Frame, slice: &Slice, modal: &[[f64; 2]]) -> Moved {
         let ([drawn, drawn_rate, faster], along) = self.drawn_in(&slice.gammas, modal);
         let (mut bent, mut rate) = ([slice.x + drawn, 0.0, 0.0], [drawn_rate, 0.0, 0.0]);
-        for ((mode, value), [p, p_rate]) in self.modes.iter().zip(&slice.values).zip(modal) {
+        let moving = self.modes.iter().zip(&slice.values).zip(modal).filter(|((mode, _), _)| !mode.twists);
+        for ((mode, value), [p, p_rate]) in moving {
             bent[mode.axis] += value * p;
             rate[mode.axis] += value * p_rate;
         }
@@ -281,7 +293,7 @@ impl Beam {
             columns[self.pose()..].iter_mut().zip(&self.modes).zip(slice.values.iter().zip(along))
         {
             let mut local = [along, 0.0, 0.0];
-            local[mode.axis] += value;
+            local[mode.axis] += if mode.twists { 0.0 } else { *value };
             *column = turned(&frame.axes, local);
         }
         // ω × (ω × A d) + 2 ω × A ḋ + A d̈.
@@ -295,11 +307,14 @@ impl Beam {
     /// M of the body, full, row by row.
     pub fn mass(&self, frame: &Frame, modal: &[[f64; 2]], mut put: impl FnMut(usize, usize, f64)) {
         let width = self.pose() + self.modes.len();
-        if self.spatial {
-            put(3, 3, self.spin);
-        }
         for slice in &self.slices {
             let Moved { columns, .. } = self.moved(frame, slice, modal);
+            let about = self.about_axis(slice);
+            for (i, one) in about.iter().enumerate().filter(|(_, one)| **one != 0.0) {
+                for (j, other) in about.iter().enumerate().filter(|(_, other)| **other != 0.0) {
+                    put(i, j, slice.share * self.spin * one * other);
+                }
+            }
             for (i, one) in columns[..width].iter().enumerate() {
                 for (j, other) in columns[..width].iter().enumerate() {
                     put(i, j, slice.share * self.mass * dot(*one, *other));
@@ -319,8 +334,11 @@ impl Beam {
         }
         if self.spatial {
             let omega = turned_back(&frame.axes, frame.spin);
-            let gyroscopic = cross([self.spin * omega[0], 0.0, 0.0], omega);
-            (0..3).for_each(|k| forces[3 + k] += gyroscopic[k]);
+            for slice in &self.slices {
+                let turning = slice.share * self.spin * self.turning_about(slice, omega[0], modal);
+                let gyroscopic = cross([turning, 0.0, 0.0], omega);
+                (0..3).for_each(|k| forces[3 + k] += gyroscopic[k]);
+            }
         }
         for (mode, [p, rate]) in modal.iter().enumerate() {
             forces[self.pose() + mode] -= self.stiffness[mode] * p + self.damping[mode] * rate;
@@ -328,12 +346,32 @@ impl Beam {
     }
 
     pub fn kinetic(&self, frame: &Frame, modal: &[[f64; 2]]) -> f64 {
+        let about = dot(column(&frame.axes, 0), frame.spin);
+        let spin = if self.spatial { self.spin } else { 0.0 };
         let of = self.slices.iter().map(|slice| {
             let Moved { velocity, .. } = self.moved(frame, slice, modal);
-            0.5 * slice.share * self.mass * dot(velocity, velocity)
+            let turning = self.turning_about(slice, about, modal);
+            0.5 * slice.share * (self.mass * dot(velocity, velocity) + spin * turning * turning)
         });
-        let about = dot(column(&frame.axes, 0), frame.spin);
-        of.sum::<f64>() + 0.5 * if self.spatial { self.spin * about * about } else { 0.0 }
+        of.sum()
+    }
+
+    /// The rate at which a slice turns about the axis.
+    fn turning_about(&self, slice: &Slice, frame: f64, modal: &[[f64; 2]]) -> f64 {
+        let twisting = self.modes.iter().zip(&slice.values).zip(modal).filter(|((mode, _), _)| mode.twists);
+        frame + twisting.map(|((_, value), [_, rate])| value * rate).sum::<f64>()
+    }
+
+    /// Its columns, by the velocities of the frame and the modes; in the plane none.
+    fn about_axis(&self, slice: &Slice) -> [f64; 6 + MOST] {
+        let mut columns = [0.0; 6 + MOST];
+        if self.spatial {
+            columns[3] = 1.0;
+            for (k, (mode, value)) in self.modes.iter().zip(&slice.values).enumerate() {
+                columns[6 + k] = if mode.twists { *value } else { 0.0 };
+            }
+        }
+        columns
     }
 
     /// Velocities of the frame.

@@ -36,6 +36,7 @@ pub mod iiwa14;
 pub mod jansen_leg;
 pub mod klann_leg;
 pub mod knuckle_boom_loader;
+pub mod laval_rotor;
 pub mod light_cart_pole;
 pub mod loose_wrist;
 pub mod lugre_block;
@@ -167,6 +168,7 @@ macro_rules! for_each_model {
             spin_up: $crate::spinning_beam::SpinUp,
             spin_up_without_stiffening: $crate::spinning_beam::SpinUpWithoutStiffening,
             flexible_arm: $crate::flexible_arm::FlexibleArm,
+            laval_rotor: $crate::laval_rotor::LavalRotor,
             rod_on_pin: $crate::rod_on_pin::RodOnPin,
             rubbing_four_bar: $crate::rubbing_four_bar::RubbingFourBar,
             rubbing_four_bars: $crate::rubbing_four_bar::RubbingFourBars,

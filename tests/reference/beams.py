@@ -1,8 +1,8 @@
 """Beams: shapes by their textbook formulas, and everything else by quadrature along the axis.
 
 A point of the axis at x (from the frame's origin) is at (x + Σ N_a p_a, Σ N_b p_b) in the frame, in space with a third component of
-the same kind, where a section is turned by the rotation of (1 − c̃)⁻¹ (1 + c̃), c half of (0, −Σ N′ p_z, Σ N′ p_y). No integral of shapes over the
-mass is formed: energies are sums over slices, each with its position, whose rates come from automatic differentiation.
+the same kind, where a section is turned by the rotation of (1 − c̃)⁻¹ (1 + c̃), c half of (Σ N_t p_t, −Σ N′ p_z, Σ N′ p_y). No integral of shapes over the
+mass is formed: energies are sums over slices, each with its position and its turn about the axis, whose rates come from automatic differentiation.
 With `stiffening` bending draws a place in by ½ Σ Γ_jk p_j p_k, Γ_jk = ∫ N_j′ N_k′ dx.
 Shapes (Blevins, Formulas for Natural Frequency and Mode Shape, tables 8-1 and 8-16) are written here so that no
 differences of large hyperbolic functions occur, each in another form than in the compiler.
@@ -36,23 +36,32 @@ class Beam:
             self.polynomials |= {way: _polynomials(beam[way], 2) for way in across}
         if self.shapes == "static" or beam.get("quadratic"):
             self.polynomials["axial"] = _polynomials(self.axial, 1)
+        self.torsion = beam.get("torsion", 0)
+        if self.shapes == "static":
+            self.polynomials["torsion"] = _polynomials(self.torsion, 1)
         self.names = [f"{way}[{k}]" for way in ["axial", *across] for k in range(beam[way])]
+        self.bent = len(self.names)  # what follows twists
         self.directions = [["axial", *across].index(name.split("[")[0]) for name in self.names]
+        self.names += [f"torsion[{k}]" for k in range(self.torsion)]
         section = beam.get("section")
         if section:
             lengths = {name: entry(value, model) for name, value in section.items() if name != "kind"}
             self.area, *moments = SECTIONS[section["kind"]](**lengths)
+            twisted = (_torsion_of_rectangle(**lengths) if section["kind"] == "rectangle" else sum(moments)) if self.torsion else 0
         else:
             words = ["second_moment"] if self.dimension == 2 else ["second_moment_z", "second_moment_y"]
             self.area, moments = given["area"], [given[word] for word in words]
+            twisted = given["torsion_constant"] if self.torsion else 0
         self.rigidity = {way: given["young"] * moment for way, moment in zip(across, moments)}
         self.rigidity["axial"] = given["young"] * self.area
+        if self.torsion:
+            self.rigidity["torsion"] = given["shear_modulus"] * twisted
         self.polar = sum(moments) / self.area  # m² about the axis
         self.ratio = given.get("damping_ratio", ca.SX(0))
         self.stiffening = beam.get("stiffening", False)
         # The frame of free shapes stays in the centre of mass.
         mean = lambda j, k: sum(share * self._integral(j, k, x) for x, share in self.slices())
-        bending = range(self.axial, len(self.names)) if self.stiffening else ()
+        bending = range(self.axial, self.bent) if self.stiffening else ()
         pairs = [(j, k) for j in bending for k in bending if self.directions[j] == self.directions[k]]
         self.drawn = {pair: mean(*pair) if self.shapes == "free" else 0.0 for pair in pairs}
 
@@ -73,7 +82,7 @@ class Beam:
         if way in self.polynomials:
             value = self.polynomials[way][int(number)].deriv(order)(xi) if order else self.polynomials[way][int(number)](xi)
         else:
-            value = SHAPES[self.shapes, way.split("_")[0]](int(number), xi, order)
+            value = SHAPES[self.shapes, {"torsion": "axial"}.get(way, way.split("_")[0])](int(number), xi, order)
         # What is held does not move at all, and rounding of it is nothing to compare.
         return 0.0 if abs(value) < 1e-12 else value / self.length**order
 
@@ -89,8 +98,12 @@ class Beam:
         rises = [ca.SX(0)] * 3
         for k, direction in enumerate(self.directions):
             rises[direction] += self.slope_of(k, x) * p[k]
-        half = ca.vertcat(0, -rises[2], rises[1]) / 2
+        half = ca.vertcat(self.twist(x, p), -rises[2], rises[1]) / 2
         return ca.simplify(ca.mtimes(ca.inv(ca.SX.eye(3) - tilde(half)), ca.SX.eye(3) + tilde(half)))
+
+    def twist(self, x, p):
+        """By how much the section at x is turned about the axis."""
+        return sum((self.shape(k, x, 0) * p[k] for k in range(self.bent, len(self.names))), ca.SX(0))
 
     def _drawn_in(self, x, p):
         """By how much bending moves the point of the axis at x towards the start: half the integral of the slope's square."""
@@ -107,14 +120,14 @@ class Beam:
 
     def slope(self, x, p):
         """By how much the section at x is turned, to first order."""
-        return sum((self.slope_of(k, x) * p[k] for k in range(self.axial, len(self.names))), ca.SX(0))
+        return sum((self.slope_of(k, x) * p[k] for k in range(self.axial, self.bent)), ca.SX(0))
 
     def slope_of(self, mode, x):
-        return self.shape(mode, x, 1) if mode >= self.axial else 0.0
+        return self.shape(mode, x, 1) if self.axial <= mode < self.bent else 0.0
 
     def stiffness(self, mode):
-        """∫ EA N′² dx or ∫ EI N″² dx."""
-        order, way = 1 if mode < self.axial else 2, self.names[mode].split("[")[0]
+        """∫ EA N′² dx, ∫ EI N″² dx or ∫ G J_t N′² dx."""
+        order, way = 2 if self.axial <= mode < self.bent else 1, self.names[mode].split("[")[0]
         integral = self.length * sum(weight * self.shape(mode, x, order) ** 2 for x, weight in self.slices())
         return self.rigidity[way] * integral
 
@@ -122,7 +135,9 @@ class Beam:
         return sum((self.stiffness(k) * p[k] ** 2 / 2 for k in range(len(self.names))), ca.SX(0))
 
     def damping(self, mode, mass):
-        """2 ζ √(K M)."""
+        """2 ζ √(K M), in torsion with the moment of inertia about the axis."""
+        if mode >= self.bent:
+            mass = mass * self.polar
         own = sum(weight * self.shape(mode, x, 0) ** 2 for x, weight in self.slices())
         return 2 * self.ratio * ca.sqrt(self.stiffness(mode) * mass * own)
 
@@ -153,6 +168,15 @@ SECTIONS = {
     "tube": lambda outer, inner: (ca.pi * (outer**2 - inner**2) / 4, *[ca.pi * (outer**4 - inner**4) / 64] * 2),
     "rectangle": lambda height, width: (height * width, width * height**3 / 12, height * width**3 / 12),
 }
+
+
+def _torsion_of_rectangle(height, width):
+    """Saint-Venant's constant by Prandtl's stress function (Timoshenko and Goodier, Theory of Elasticity, 109), whichever side is longer, as
+    long as they differ by less than six times: what is left of 1 − tanh then is below 1e-16."""
+    odd = range(1, 80, 2)
+    fifths = sum(n**-5.0 for n in range(20001, 0, -2))
+    lacking = sum(2 / (1 + ca.exp(n * ca.pi * height / width)) / n**5 for n in odd)
+    return height * width**3 / 3 - 64 / ca.pi**5 * width**4 * (fifths - lacking)
 
 
 @functools.cache

@@ -1,7 +1,7 @@
 //! Slender beams as numbers: shapes, and what their mass and stiffness make of them. Nothing here knows of graphs or definitions.
 //!
 //! A point of the axis at x, from the origin of the beam's frame, is at (x + Σ N_a p_a, Σ N_b p_b), in space with a third component of the
-//! same kind, Euler and Bernoulli's beam in a floating frame of reference (Shabana, *Dynamics of Multibody Systems*, 5.2–5.5; Géradin, Rixen,
+//! same kind and sections that twist by Σ N_t p_t, as Saint-Venant's shaft: Euler and Bernoulli's beam in a floating frame of reference (Shabana, *Dynamics of Multibody Systems*, 5.2–5.5; Géradin, Rixen,
 //! *Mechanical Vibrations*, 4.2). With m the mass, all integrals of the inertia are m times a constant, because mass is spread evenly. Where
 //! the axis keeps its length as it bends, places move along it too: `stiffening`. How pictures show the axis stands in `bow`.
 
@@ -21,6 +21,7 @@ pub use shape::{Shape, Wave};
 pub use stiffening::Shortening;
 
 use crate::forms::Space;
+use crate::units::Dimension;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Most modes of one kind.
@@ -64,6 +65,8 @@ pub struct Counts {
     pub bending: usize,
     /// Along z, of beams in space.
     pub bending_z: usize,
+    /// About x, of beams in space.
+    pub torsion: usize,
     /// Whether the axial ones are polynomials whatever the others are: with two of them the quadratic element of finite element codes.
     pub quadratic: bool,
 }
@@ -74,6 +77,7 @@ impl Counts {
             Way::Axial => self.axial,
             Way::Bending => self.bending,
             Way::BendingZ => self.bending_z,
+            Way::Torsion => self.torsion,
         }
     }
 
@@ -83,7 +87,7 @@ impl Counts {
     }
 }
 
-/// Along the axis or across it, in space in two directions.
+/// Along the axis or across it, in space in two directions, and there about it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Way {
     Axial,
@@ -91,14 +95,16 @@ pub enum Way {
     Bending,
     /// Along z, about y.
     BendingZ,
+    /// About x: coordinates are angles, whose shapes turn the sections.
+    Torsion,
 }
 
 impl Way {
-    /// Those there are, by their axes.
+    /// Those there are, in the order of their modes.
     pub fn of(space: Space) -> &'static [Self] {
         match space {
             Space::Planar => &[Self::Axial, Self::Bending],
-            Space::Spatial => &[Self::Axial, Self::Bending, Self::BendingZ],
+            Space::Spatial => &[Self::Axial, Self::Bending, Self::BendingZ, Self::Torsion],
         }
     }
 
@@ -108,32 +114,38 @@ impl Way {
             (Self::Bending, Space::Planar) => "bending",
             (Self::Bending, Space::Spatial) => "bending_y",
             (Self::BendingZ, _) => "bending_z",
+            (Self::Torsion, _) => "torsion",
         }
     }
 
     /// Whether it is across the axis.
     pub fn bends(self) -> bool {
-        self != Self::Axial
+        matches!(self, Self::Bending | Self::BendingZ)
     }
 
-    /// Along which of the frame's axes.
+    /// What its coordinates measure.
+    pub fn dimension(self) -> Dimension {
+        if self == Self::Torsion { Dimension::ANGLE } else { Dimension::LENGTH }
+    }
+
+    /// Along which of the frame's axes, of torsion about which.
     pub fn axis(self) -> usize {
         match self {
-            Self::Axial => 0,
+            Self::Axial | Self::Torsion => 0,
             Self::Bending => 1,
             Self::BendingZ => 2,
         }
     }
 }
 
-/// One mode: a coordinate, m, that its shape carries along the axis.
+/// One mode: a coordinate, m, of torsion rad, that its shape carries along the axis.
 #[derive(Clone, Debug)]
 pub struct Mode {
     pub way: Way,
     /// Which of its way.
     pub number: usize,
     pub shape: Shape,
-    /// ∫ (N″)² dx of bending, 1/m³; ∫ (N′)² dx of what is axial, 1/m. The shapes of one way are across to one another in it.
+    /// ∫ (N″)² dx of bending, 1/m³; ∫ (N′)² dx of what is axial or torsion, 1/m. The shapes of one way are across to one another in it.
     pub stiffness: f64,
 }
 
@@ -145,7 +157,7 @@ pub struct Slender {
     pub length: f64,
     /// x of its start.
     pub from: f64,
-    /// Axial ones first.
+    /// Axial ones first, torsion last.
     pub modes: Vec<Mode>,
     /// How far bending draws places in, pair by pair of modes; nothing where that is left out.
     pub shortenings: Vec<Shortening>,
@@ -159,9 +171,11 @@ impl Slender {
     pub fn new(shapes: Shapes, length: f64, counts: Counts) -> Self {
         let from = if shapes == Shapes::Free { -0.5 * length } else { 0.0 };
         let axial = if counts.quadratic { Shapes::Static } else { shapes };
-        let mut modes = axial_modes(axial, length, counts.axial);
+        let mut modes = axial_modes(axial, length, Way::Axial, counts.axial);
         modes.extend(bending_modes(shapes, length, Way::Bending, counts.bending));
         modes.extend(bending_modes(shapes, length, Way::BendingZ, counts.bending_z));
+        // A shaft's twist has the equation of a bar's stretch.
+        modes.extend(axial_modes(shapes, length, Way::Torsion, counts.torsion));
         let (first, second) = means(shapes, from, length, &modes);
         Slender { shapes, length, from, modes, shortenings: Vec::new(), first, second }
     }
@@ -172,15 +186,20 @@ impl Slender {
         x >= self.from - slack && x <= self.from + self.length + slack
     }
 
-    /// N of each mode at x.
+    /// By how much each mode moves the point of the axis at x: N, of torsion nothing.
     pub fn values(&self, x: f64) -> Vec<f64> {
-        self.modes.iter().map(|mode| mode.shape.at(self.share(x), 0)).collect()
+        let value = |mode: &Mode| match mode.way {
+            Way::Torsion => 0.0,
+            Way::Axial | Way::Bending | Way::BendingZ => mode.shape.at(self.share(x), 0),
+        };
+        self.modes.iter().map(value).collect()
     }
 
-    /// N′ of each bending mode at x, 1/m; of the others nothing.
+    /// By how much each mode turns the section at x: N′ of bending, 1/m, N of torsion, 1, of what is axial nothing.
     pub fn slopes(&self, x: f64) -> Vec<f64> {
         let slope = |mode: &Mode| match mode.way {
             Way::Axial => 0.0,
+            Way::Torsion => mode.shape.at(self.share(x), 0),
             Way::Bending | Way::BendingZ => mode.shape.at(self.share(x), 1) / self.length,
         };
         self.modes.iter().map(slope).collect()
@@ -196,7 +215,8 @@ impl Slender {
         self.keeps_direction(x) && self.values(x).iter().all(|value| *value == 0.0)
     }
 
-    /// ω² of a mode by EA or EI and the mass, (rad/s)²: its stiffness by what it moves.
+    /// ω² of a mode by EA or EI and the mass, of torsion by G J_t and the moment of inertia about the axis, (rad/s)²: its stiffness by what
+    /// it moves.
     pub fn square_of_rate(&self, mode: usize, rigidity: f64, mass: f64) -> f64 {
         self.modes[mode].stiffness * rigidity / (mass * self.second[mode + 1][mode + 1])
     }
@@ -208,7 +228,7 @@ impl Slender {
 }
 
 /// cos(kπξ), sin((2k − 1)πξ/2): Géradin, Rixen, 4.1.
-fn axial_modes(shapes: Shapes, length: f64, count: usize) -> Vec<Mode> {
+fn axial_modes(shapes: Shapes, length: f64, way: Way, count: usize) -> Vec<Mode> {
     let wave = |number: usize| {
         let k = number as f64 + 1.0;
         let (lambda, shape) = match shapes {
@@ -220,10 +240,10 @@ fn axial_modes(shapes: Shapes, length: f64, count: usize) -> Vec<Mode> {
         };
         // The mean of a squared sine or cosine over whole quarters is a half.
         let stiffness = 0.5 * lambda * lambda / length;
-        Mode { way: Way::Axial, number, shape: Shape::Wave(shape), stiffness }
+        Mode { way, number, shape: Shape::Wave(shape), stiffness }
     };
     match shapes {
-        Shapes::Static => polynomial_modes(Way::Axial, count, 1, length),
+        Shapes::Static => polynomial_modes(way, count, 1, length),
         _ => (0..count).map(wave).collect(),
     }
 }

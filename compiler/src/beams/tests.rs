@@ -3,7 +3,7 @@
 use super::*;
 
 fn slender(shapes: Shapes, length: f64, axial: usize, bending: usize) -> Slender {
-    Slender::new(shapes, length, Counts { axial, bending, bending_z: 0, quadratic: false })
+    Slender::new(shapes, length, Counts { axial, bending, bending_z: 0, torsion: 0, quadratic: false })
 }
 
 fn near(found: f64, expected: f64, within: f64) {
@@ -270,8 +270,11 @@ fn polynomials_find_the_frequencies() {
 /// The element of two quadratic functions that are 1 in the middle and at the end: its stiffness 16/3, −8/3, 7/3 and its mass 8, 1, 2 fifteenths.
 #[test]
 fn quadratic_is_the_element() {
-    let beam =
-        Slender::new(Shapes::Pinned, 1.0, Counts { axial: 2, bending: 1, bending_z: 0, quadratic: true });
+    let beam = Slender::new(
+        Shapes::Pinned,
+        1.0,
+        Counts { axial: 2, bending: 1, bending_z: 0, torsion: 0, quadratic: true },
+    );
     // Rows: u in the middle and at the end of each mode.
     let nodes = [beam.values(0.5), beam.values(1.0)];
     let of = |matrix: [[f64; 2]; 2], j: usize, k: usize| -> f64 {
@@ -341,5 +344,25 @@ fn deflections_are_magnified_by_round_numbers() {
         [(0.0, 1.0), (1e-12, 1.0), (0.05, 1.0), (0.03, 2.0), (1e-3, 100.0), (3e-5, 2000.0)]
     {
         near(magnification(deflection), times, 1e-9 * times);
+    }
+}
+
+/// A shaft's twist has the equation of a bar's stretch: the same shapes, which turn sections and move no place.
+#[test]
+fn shafts_twist_as_bars_stretch() {
+    for shapes in Shapes::ALL {
+        let counts = Counts { axial: 3, bending: 1, bending_z: 1, torsion: 3, quadratic: false };
+        let beam = Slender::new(shapes, 0.7, counts);
+        for x in [beam.from, beam.from + 0.3, beam.from + 0.7] {
+            let (values, turns) = (beam.values(x), beam.slopes(x));
+            assert_eq!(values[..3], turns[5..], "{shapes:?}");
+            assert!(values[5..].iter().chain(&turns[..3]).all(|it| *it == 0.0));
+        }
+        for k in 0..3 {
+            assert_eq!(beam.modes[k].stiffness, beam.modes[5 + k].stiffness);
+            assert_eq!(beam.second[1 + k][1 + k], beam.second[6 + k][6 + k]);
+            assert_eq!(beam.modes[5 + k].way, Way::Torsion);
+        }
+        assert_eq!(beam.stays(beam.from), shapes != Shapes::Free && shapes != Shapes::Pinned);
     }
 }

@@ -60,7 +60,9 @@ pub(super) fn clamps_hold(mechanism: &Mechanism, wanted: &mut Wanted) {
     for (index, body) in mechanism.bodies.iter().enumerate() {
         let Some(beam) = &body.beam else { continue };
         let shapes = beam.slender.shapes;
-        if !matches!(shapes, Shapes::Clamped | Shapes::Static) || !has_bending(beam) {
+        let clamped = matches!(shapes, Shapes::Clamped | Shapes::Static) && has_bending(beam);
+        let twists = shapes != Shapes::Free && beam.has(Way::Torsion);
+        if !clamped && !twists {
             continue;
         }
         if let [(id, place)] = at(mechanism, index, beam.slender.from)[..]

@@ -134,8 +134,10 @@ fn internal(mechanism: &str, state: &InternalState) -> Named {
 
 fn positions(layout: &Layout, mechanism: &Mechanism) -> Vec<Named> {
     let names = layout.position_names(mechanism);
-    let lengths = names.iter().take(layout.linear.len());
-    let lengths = lengths.map(|name| number(name, "m."));
+    let lengths = names
+        .iter()
+        .zip(&layout.linear)
+        .map(|(name, linear)| number(name, if linear.is_length(mechanism) { "m." } else { "rad." }));
     let angles = (0..layout.rotations.len()).map(|rotation| {
         let name = names[layout.pair(rotation)].trim_end_matches(".cos");
         let name = if name.contains(".angle") { name.to_string() } else { format!("{name}.angle") };
@@ -153,7 +155,10 @@ fn positions(layout: &Layout, mechanism: &Mechanism) -> Vec<Named> {
 fn velocities(layout: &Layout, mechanism: &Mechanism) -> Vec<Named> {
     let names = layout.velocity_names(mechanism);
     let (linear, angular) = names.split_at(layout.linear.len());
-    let speeds = linear.iter().map(|name| number(name, "m/s."));
+    let speeds = linear
+        .iter()
+        .zip(&layout.linear)
+        .map(|(name, linear)| number(name, if linear.is_length(mechanism) { "m/s." } else { "rad/s." }));
     let rates = angular.iter().take(layout.rotations.len()).map(|name| number(name, "rad/s."));
     let vectors = layout.quaternions.iter().map(|ball| {
         named(format!("{}.rate", ball.name(mechanism)), "ω along the turned axes, rad/s.", Kind::Array(3))

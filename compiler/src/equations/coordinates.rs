@@ -4,6 +4,7 @@
 //! q = [linear coordinates | (cos, sin) per rotation | (w, x, y, z) per quaternion | (turns, remainder) per multi-turn
 //! angle], v = [linear rates | ω per rotation | ω along x, y, z of the turned axes per quaternion].
 
+use crate::beams::Way;
 use crate::model::{BodyId, JointId, Mechanism, Rotor, identifier};
 use crate::symbolic::{Class, Node, Sheet};
 
@@ -136,6 +137,13 @@ pub enum Owner {
 }
 
 impl Linear {
+    /// Whether it is a length: all but modes in torsion, which are angles.
+    pub fn is_length(&self, mechanism: &Mechanism) -> bool {
+        let Linear::Mode(body, mode) = self else { return true };
+        let beam = mechanism.bodies[body.0].beam.as_ref();
+        beam.is_none_or(|beam| beam.slender.modes[*mode].way != Way::Torsion)
+    }
+
     fn name(&self, mechanism: &Mechanism) -> String {
         match self {
             Linear::Center(body, axis) => {

@@ -141,6 +141,9 @@ impl BodyForm {
         if self.bends {
             names.extend(["density", "young", "area"].iter().chain(second_moments(space)));
             names.push("damping_ratio");
+            if space == Space::Spatial {
+                names.extend(["shear_modulus", "torsion_constant"]);
+            }
         }
         names
     }

@@ -11,12 +11,14 @@ pub(crate) fn quoted_code(text: &str) -> String {
 }
 
 fn capital(property: &str) -> String {
-    if property == "young" { in_words(property).to_string() } else { format!("the {property}") }
+    if property == "young" { in_words(property).to_string() } else { format!("the {}", in_words(property)) }
 }
 
 fn in_words(property: &str) -> &str {
     match property {
         "young" => "Young's modulus",
+        "shear_modulus" => "shear modulus",
+        "torsion_constant" => "torsion constant",
         property => property,
     }
 }
@@ -48,10 +50,6 @@ pub(crate) fn section_without(kind: &str, missing: &str) -> String {
 pub(crate) fn unknown_modes(asked: &str, space: Space) -> String {
     let words = || Way::of(space).iter().map(|way| way.word(space));
     match (asked, space) {
-        ("torsion", Space::Spatial) => format!(
-            "modes in torsion are not there yet in this version; there are {}",
-            words().map(quoted_code).collect::<Vec<_>>().join(", ")
-        ),
         ("torsion" | "bending_y" | "bending_z", Space::Planar) => {
             format!("`{asked}` needs a beam in space; in the plane there are `axial` and `bending`")
         }
@@ -66,7 +64,9 @@ pub(crate) fn unknown_modes(asked: &str, space: Space) -> String {
 pub(crate) fn example_of_modes(space: Space) -> &'static str {
     match space {
         Space::Planar => "`(bending = 3)`, or `(axial = 1, bending = 3)`",
-        Space::Spatial => "`(bending_y = 2, bending_z = 2)`, or `(axial = 1, bending_y = 2, bending_z = 2)`",
+        Space::Spatial => {
+            "`(bending_y = 2, bending_z = 2)`, or `(axial = 1, bending_y = 2, bending_z = 2, torsion = 1)`"
+        }
     }
 }
 
@@ -111,6 +111,14 @@ pub(crate) fn nothing_to_stiffen(beam: &str, space: Space) -> String {
     format!(
         "the beam `{beam}` has no modes in bending, which a force along it could stiffen: write `modes = ({bending} = 3)`, or leave \
          `stiffening` out"
+    )
+}
+
+pub(crate) fn nothing_to_twist(beam: &str, property: &str) -> String {
+    format!(
+        "the beam `{beam}` has no modes in torsion, which its {} would resist: write `modes = (bending_y = 3, bending_z = 3, torsion = 2)`, \
+         or leave `{property}` out",
+        in_words(property)
     )
 }
 
@@ -274,10 +282,11 @@ pub(crate) fn clamp_that_turns(
     } else {
         String::new()
     };
+    let hinges = if axis == "x" { "" } else { "`pinned` where both ends are on hinges, or " };
     format!(
         "the `{shapes}` shapes of the beam `{beam}` are held at its start with their direction, and the {kind} joint `{joint}` lets that turn \
-         freely about {axis} of the beam: no moment passes there, for which many of these shapes are needed. Write `shapes = free;`, or `pinned` \
-         where both ends are on hinges, or {motor}`#[allow(slender)]` before it"
+         freely about {axis} of the beam: no moment passes there, for which many of these shapes are needed. Write `shapes = free;`, or {hinges}\
+         {motor}`#[allow(slender)]` before it"
     )
 }
 

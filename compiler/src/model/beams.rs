@@ -1,4 +1,6 @@
-//! Beams: their section and modes, what follows from these, and the places on their axis.
+//! Beams: their modes, what follows from these and from their sections, and the places on their axis.
+
+mod section;
 
 use super::fold;
 use super::lower::{Lowering, Use};
@@ -7,27 +9,20 @@ use super::{
     StartCondition, Vector,
 };
 use crate::beams::{Shapes, Slender, Way};
-use crate::forms::second_moments;
 use crate::messages;
 use crate::syntax::{self, Path, Side};
 use crate::units::Dimension;
-use std::f64::consts::PI;
+use section::Section;
 use std::sync::Arc;
-
-/// A cross-section: m², and m⁴ about z and about y.
-struct Section {
-    area: Expr,
-    about_z: Expr,
-    about_y: Expr,
-}
 
 /// What bends of a body.
 #[derive(Clone, Debug)]
 pub struct Beam {
     pub slender: Arc<Slender>,
     pub space: Space,
-    /// EA, N, and EI, N m², of bending along y and along z, of parameters; in the plane the last is nothing.
-    pub rigidities: [Expr; 3],
+    /// EA, N, EI, N m², of bending along y and along z, and G J_t, N m², of parameters; in the plane the last two are nothing, and G J_t is where
+    /// nothing twists.
+    pub rigidities: [Expr; 4],
     /// In space: the square of the radius of gyration of the section about the axis, m².
     pub spin: Expr,
     /// Of each mode, 1.
@@ -35,9 +30,14 @@ pub struct Beam {
 }
 
 impl Beam {
-    /// EA or EI.
+    /// EA, EI or G J_t.
     pub fn rigidity(&self, way: Way) -> &Expr {
-        &self.rigidities[way.axis()]
+        &self.rigidities[way as usize]
+    }
+
+    /// Whether there are modes of a way.
+    pub fn has(&self, way: Way) -> bool {
+        self.slender.modes.iter().any(|mode| mode.way == way)
     }
 
     /// Name of a mode, `bending[0]`.
@@ -50,8 +50,9 @@ impl Beam {
     pub fn rates(&self, mass: &Expr, parameters: &[f64]) -> Vec<f64> {
         let value = |expr: &Expr| fold::evaluate(expr, parameters).unwrap_or(f64::NAN);
         let rate = |mode: usize| {
-            let rigidity = value(self.rigidity(self.slender.modes[mode].way));
-            self.slender.square_of_rate(mode, rigidity, value(mass)).sqrt()
+            let way = self.slender.modes[mode].way;
+            let moved = if way == Way::Torsion { value(mass) * value(&self.spin) } else { value(mass) };
+            self.slender.square_of_rate(mode, value(self.rigidity(way)), moved).sqrt()
         };
         (0..self.slender.modes.len()).map(rate).collect()
     }
@@ -182,13 +183,29 @@ impl<'d> Lowering<'d> {
             self.diagnostics.error(entry.value.region, message);
             return None;
         }
-        let (young, Section { area, about_z, about_y }) = (young?, section?);
-        let rigidity = |of: Expr| times(young.clone(), of);
-        let rigidities = [rigidity(area.clone()), rigidity(about_z.clone()), rigidity(about_y.clone())];
+        let shear = self.shear_modulus(body)?;
+        let (young, Section { area, about_z, about_y, torsion }) = (young?, section?);
+        let [stretched, bent, bent_z] =
+            [&area, &about_z, &about_y].map(|of| times(young.clone(), of.clone()));
+        let rigidities = [stretched, bent, bent_z, times(shear, torsion)];
         let polar = fold::binary(Function2::Add, about_y, about_z);
         let spin = fold::binary(Function2::Div, polar, area);
         let space = self.definition.space;
         Some(Beam { slender: slender?, space, rigidities, spin, damping_ratio: damping_ratio? })
+    }
+
+    /// G, of a beam that twists; nothing of others, which cannot have it.
+    fn shear_modulus(&mut self, body: &'d syntax::Body) -> Option<Expr> {
+        const OF_TORSION: [&str; 2] = ["shear_modulus", "torsion_constant"];
+        if body.beam.counts(self.definition.space).torsion > 0 {
+            return self.positive_of_beam(body, OF_TORSION[0], Dimension::PRESSURE, "GPa");
+        }
+        if let Some((label, _)) = OF_TORSION.iter().find_map(|property| body.property(property)) {
+            let message = messages::nothing_to_twist(&body.name.text, &label.text);
+            self.diagnostics.error(label.region, message);
+            return None;
+        }
+        Some(Expr::Number(0.0))
     }
 
     /// A property that a beam must have, and that is positive.
@@ -215,95 +232,6 @@ impl<'d> Lowering<'d> {
         Some(value)
     }
 
-    /// Of the section, or as written.
-    fn section(&mut self, body: &'d syntax::Body) -> Option<Section> {
-        let name = &body.name.text;
-        let space = self.definition.space;
-        let words = ["area"].iter().chain(second_moments(space));
-        let written = words.into_iter().find_map(|property| body.property(property));
-        let Some(section) = &body.beam.section else {
-            if written.is_none() {
-                self.diagnostics.error(body.name.region, messages::beam_without_section(name, space));
-                return None;
-            }
-            let area = self.positive_of_beam(body, "area", Dimension::AREA, "mm^2");
-            let mut moments = second_moments(space)
-                .iter()
-                .map(|word| self.positive_of_beam(body, word, Dimension::SECOND_MOMENT, "mm^4"))
-                .collect::<Vec<_>>()
-                .into_iter();
-            let about_z = moments.next().flatten();
-            let about_y = moments.next().unwrap_or(Some(Expr::Number(0.0)));
-            return Some(Section { area: area?, about_z: about_z?, about_y: about_y? });
-        };
-        if let Some((label, _)) = written {
-            let message = messages::section_and_property(name, &label.text);
-            let note = messages::property_here("section");
-            self.diagnostics.conflict(label.region, message, section.kind.region, note);
-            return None;
-        }
-        let mut lengths = Vec::new();
-        for (label, entry) in &section.lengths {
-            let length = self.entry(entry, Dimension::LENGTH, Use::PROPERTY, &label.text)?;
-            if let Some(found) = fold::evaluate(&length, self.defaults())
-                && found <= 0.0
-            {
-                let message = messages::not_positive(&label.text, name, found);
-                self.diagnostics.error(entry.value.region, message);
-                return None;
-            }
-            lengths.push((label.text.as_str(), length));
-        }
-        let of = |wanted: &str| {
-            let found = lengths.iter().find(|(known, _)| *known == wanted);
-            found.map_or(Expr::Number(0.0), |(_, length)| length.clone())
-        };
-        let [area, about_z, about_y] = match section.kind.text.as_str() {
-            "rectangle" => {
-                let (height, width) = (of("height"), of("width"));
-                let about = |across: &Expr, along: &Expr| {
-                    scaled(1.0 / 12.0, times(along.clone(), fold::power(across.clone(), 3.0)))
-                };
-                [times(height.clone(), width.clone()), about(&height, &width), about(&width, &height)]
-            }
-            "tube" => {
-                let (outer, inner) = (of("outer"), of("inner"));
-                let value = |expr: &Expr| fold::evaluate(expr, self.defaults());
-                if let (Some(inside), Some(outside)) = (value(&inner), value(&outer))
-                    && inside >= outside
-                {
-                    let message = messages::tube_inside_out(name, inside, outside);
-                    self.diagnostics.error(section.kind.region, message);
-                    return None;
-                }
-                let ring = |power: f64| {
-                    let [outer, inner] = [&outer, &inner].map(|it| fold::power(it.clone(), power));
-                    fold::binary(Function2::Sub, outer, inner)
-                };
-                let second_moment = scaled(PI / 64.0, ring(4.0));
-                [scaled(PI / 4.0, ring(2.0)), second_moment.clone(), second_moment]
-            }
-            _ => {
-                let power = |power: f64| fold::power(of("diameter"), power);
-                let second_moment = scaled(PI / 64.0, power(4.0));
-                [scaled(PI / 4.0, power(2.0)), second_moment.clone(), second_moment]
-            }
-        };
-        let about_y = if space == Space::Spatial { about_y } else { Expr::Number(0.0) };
-        Some(Section { area, about_z, about_y })
-    }
-
-    /// m³.
-    pub(super) fn volume_of_beam(&mut self, body: &'d syntax::Body) -> Option<Expr> {
-        let errors = self.diagnostics.iter().count();
-        let section = self.section(body);
-        if section.is_none() && self.diagnostics.iter().count() > errors {
-            // Said here, and again where the section itself is read: messages of one place are one.
-            return None;
-        }
-        Some(times(section?.area, self.shape_length(body, "length", false)?))
-    }
-
     /// `coupler.bending[0]`: the mode, and whether its rate is meant; nothing where it is no mode.
     pub(super) fn mode(&mut self, body: BodyId, path: &Path) -> Option<Result<(Coordinate, bool), ()>> {
         let word = path.parts[1].text.as_str();
@@ -319,16 +247,16 @@ impl<'d> Lowering<'d> {
         let counts = self.definition.bodies[body.0].beam.counts(space);
         let names = Way::of(space).iter().flat_map(|way| {
             let word = way.word(space);
-            (0..counts.of(*way)).map(move |k| format!("{word}[{k}]"))
+            (0..counts.of(*way)).map(move |k| (*way, format!("{word}[{k}]")))
         });
-        let mode = names.enumerate().find(|(_, name)| name == word).map(|(mode, _)| mode);
+        let named = names.enumerate().find(|(_, (_, name))| name == word);
         let rest: Vec<&str> = path.parts[2..].iter().map(|part| part.text.as_str()).collect();
-        let (Some(mode), [] | ["rate"]) = (mode, rest.as_slice()) else {
+        let (Some((mode, (way, _))), [] | ["rate"]) = (named, rest.as_slice()) else {
             let message = messages::modes_of_beam(&path.parts[0].text, &path.text, counts, space);
             self.diagnostics.error(path.region, message);
             return Some(Err(()));
         };
-        Some(Ok((Coordinate::Mode(body, mode), !rest.is_empty())))
+        Some(Ok((Coordinate::Mode(body, mode, way.dimension()), !rest.is_empty())))
     }
 
     /// `frequency(coupler.bending[0]) >= 200 [Hz]`
@@ -338,7 +266,7 @@ impl<'d> Lowering<'d> {
         side: Side,
         bound: &syntax::Term,
     ) -> Option<Frequency> {
-        let Coordinate::Mode(body, mode) = self.coordinate(path, "have a frequency")? else {
+        let Coordinate::Mode(body, mode, _) = self.coordinate(path, "have a frequency")? else {
             self.diagnostics.error(path.region, messages::no_mode(&path.text));
             return None;
         };
@@ -390,7 +318,12 @@ impl<'d> Lowering<'d> {
             self.of_axis(place)?;
             let Frame::Body(body) = place.frame else { continue };
             let body = &self.definition.bodies[body.0];
-            if body.form.bends && form.keeps_orientation && body.beam.shapes() == Shapes::Pinned {
+            let is_end = |slender: Arc<Slender>| match place.at[0] {
+                Expr::Number(x) => x == slender.from || x == slender.from + slender.length,
+                _ => false,
+            };
+            let pinned = body.form.bends && body.beam.shapes() == Shapes::Pinned;
+            if pinned && form.keeps_orientation && self.slender(body).is_some_and(is_end) {
                 let message = messages::pinned_held(&joint.name.text, form.call.word, &body.name.text);
                 self.diagnostics.error(place.span, message);
                 return None;
@@ -405,7 +338,8 @@ impl<'d> Lowering<'d> {
         for (index, body) in mechanism.bodies.iter().enumerate() {
             let Some(beam) = &body.beam else { continue };
             for mode in 0..beam.slender.modes.len() {
-                let coordinate = Coordinate::Mode(BodyId(index), mode);
+                let dimension = beam.slender.modes[mode].way.dimension();
+                let coordinate = Coordinate::Mode(BodyId(index), mode, dimension);
                 for rate in [false, true] {
                     // What is only guessed is found, and so is its rate.
                     let said = |start: &StartCondition| {
@@ -430,8 +364,4 @@ impl<'d> Lowering<'d> {
 
 fn times(a: Expr, b: Expr) -> Expr {
     fold::binary(Function2::Mul, a, b)
-}
-
-fn scaled(factor: f64, a: Expr) -> Expr {
-    times(Expr::Number(factor), a)
 }

@@ -254,8 +254,8 @@ pub enum Coordinate {
     /// How far a body in space is from the orientation that `start` states: a component of the axis of the turn between them times
     /// its sine.
     Deviation(BodyId, usize),
-    /// A mode of a beam, m.
-    Mode(BodyId, usize),
+    /// A mode of a beam, and what it measures: m, or rad of torsion.
+    Mode(BodyId, usize, Dimension),
 }
 
 impl Coordinate {
@@ -282,9 +282,8 @@ impl Coordinate {
     pub fn dimension(&self) -> Dimension {
         match self {
             Self::Angle(_) | Self::Turn(..) | Self::Deviation(..) => Dimension::ANGLE,
-            Self::Travel(..) | Self::Position(..) | Self::Distance(..) | Self::Way(..) | Self::Mode(..) => {
-                Dimension::LENGTH
-            }
+            Self::Travel(..) | Self::Position(..) | Self::Distance(..) | Self::Way(..) => Dimension::LENGTH,
+            Self::Mode(_, _, dimension) => *dimension,
             Self::Square(..) => Dimension::LENGTH.times(Dimension::LENGTH),
             Self::Direction(..) => Dimension::ONE,
         }
@@ -294,9 +293,8 @@ impl Coordinate {
     pub fn rate_dimension(&self) -> Dimension {
         match self {
             Self::Angle(_) | Self::Turn(..) | Self::Deviation(..) => Dimension::ANGULAR_RATE,
-            Self::Travel(..) | Self::Position(..) | Self::Distance(..) | Self::Way(..) | Self::Mode(..) => {
-                Dimension::SPEED
-            }
+            Self::Travel(..) | Self::Position(..) | Self::Distance(..) | Self::Way(..) => Dimension::SPEED,
+            Self::Mode(_, _, dimension) => dimension.over(Dimension::TIME),
             Self::Square(..) => Dimension::LENGTH.times(Dimension::SPEED),
             Self::Direction(..) => Dimension::ONE.over(Dimension::TIME),
         }

@@ -5,10 +5,10 @@ use super::table::{Table, code};
 use crate::beams::{Mode, RK4, Way};
 use crate::compiled::Compiled;
 use crate::numbers::significant;
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, TAU};
 use std::fmt::Write;
 
-/// A picture of a mode, px: the length of the beam, the largest deflection of bending and stretch, what is around.
+/// A picture of a mode, px: the length of the beam, the largest deflection of bending, half the height of a shaft, and stretch, what is around.
 const LENGTH: f64 = 150.0;
 const DEFLECTION: f64 = 18.0;
 const STRETCH: f64 = 8.0;
@@ -42,7 +42,7 @@ pub fn beams(page: &mut String, compiled: &Compiled) {
         let _ = write!(
             page,
             "\n<div>\n{pictures}</div>\n\nThe axis of each mode, start at the left, beside the axis of the frame; of what is axial, marks \
-             that are evenly spaced while nothing moves. How large they are says nothing.\n"
+             that are evenly spaced while nothing moves, of torsion a line on the surface of a round shaft. How large they are says nothing.\n"
         );
     }
 }
@@ -62,6 +62,15 @@ fn picture(mode: &Mode, title: &str) -> String {
         Way::Axial => {
             let mark = |k: usize| format!("M{} -9v18", number(along(k, MARKS) + STRETCH * shape(k, MARKS)));
             (0..=MARKS).map(mark).collect()
+        }
+        // On the surface of a shaft, by sines up to one at a right angle.
+        Way::Torsion => {
+            let place = |k: usize| {
+                let height = -DEFLECTION * libm::sin(FRAC_PI_2 * shape(k, PLACES));
+                format!("{} {}", number(along(k, PLACES)), number(height))
+            };
+            let line = (0..=PLACES).map(place).collect::<Vec<_>>().join("L");
+            format!("M0 -{DEFLECTION}h{LENGTH}M0 {DEFLECTION}h{LENGTH}M{line}")
         }
     };
     format!(

@@ -291,8 +291,9 @@ pub fn coordinates(page: &mut String, compiled: &Compiled) {
     let (linear, rotations) = (layout.linear.len(), layout.rotations.len());
     let mut table = Table::new(&["#", "q", "at the start", "v", "at the start "]);
     for index in 0..linear {
-        let row = [q[index].clone(), format!("{} m", decimal(at[index]))];
-        table.row(coordinate(index, row, &v[index], format!("{} m/s", decimal(rate[index]))));
+        let unit = if layout.linear[index].is_length(&compiled.mechanism) { "m" } else { "rad" };
+        let row = [q[index].clone(), format!("{} {unit}", decimal(at[index]))];
+        table.row(coordinate(index, row, &v[index], format!("{} {unit}/s", decimal(rate[index]))));
     }
     for r in 0..rotations {
         let (index, pair) = (linear + r, layout.pair(r));

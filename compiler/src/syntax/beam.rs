@@ -1,5 +1,5 @@
 //! What a beam has in its braces beside values: `section = circle(diameter [mm] = 7); modes = (axial = 2, bending = 5); shapes = free;`,
-//! in space `modes = (bending_y = 2, bending_z = 2);`.
+//! in space `modes = (bending_y = 2, bending_z = 2, torsion = 1);`.
 
 use super::definition::{Body, ExpectEntry, ModesTerm, SectionTerm, Side};
 use super::parser::{Failed, Parsed, Parser};
@@ -119,19 +119,19 @@ impl Parser<'_> {
             return self.expected(c, messages::example_of_modes(space));
         };
         let mut inside = self.group(c, Delimiter::Parenthesis)?;
-        let (mut counts, mut quadratic): ([Option<usize>; 3], bool) = ([None; 3], false);
+        let (mut counts, mut quadratic): ([Option<usize>; 4], bool) = ([None; 4], false);
         while !inside.is_done() {
             let label = self.word(&mut inside, "a kind of modes")?;
             let Some(way) = Way::of(space).iter().find(|way| way.word(space) == label.text) else {
                 return self.fail(label.region, messages::unknown_modes(&label.text, space));
             };
-            let which = way.axis();
+            let which = *way as usize;
             if counts[which].is_some() {
                 return self.fail(label.region, messages::property_twice(&label.text, "modes"));
             }
             self.punct(&mut inside, '=')?;
             if inside.eat_word("quadratic") {
-                if which != Way::Axial.axis() {
+                if *way != Way::Axial {
                     return self.fail(label.region, messages::quadratic_across());
                 }
                 // As many functions as a polynomial of second degree has that vanishes at the start.
@@ -145,11 +145,11 @@ impl Parser<'_> {
                 return self.expected(&inside, "`,` or `)`");
             }
         }
-        let [axial, bending, bending_z] = counts.map(|count| count.unwrap_or(0));
-        if axial + bending + bending_z == 0 {
+        let [axial, bending, bending_z, torsion] = counts.map(|count| count.unwrap_or(0));
+        if axial + bending + bending_z + torsion == 0 {
             return self.fail(whole, messages::no_modes(space));
         }
-        Ok(ModesTerm { counts: Counts { axial, bending, bending_z, quadratic }, region: whole })
+        Ok(ModesTerm { counts: Counts { axial, bending, bending_z, torsion, quadratic }, region: whole })
     }
 
     fn modes_of(&mut self, count: i64, kind: &str, region: Region) -> Parsed<usize> {

@@ -142,7 +142,7 @@ impl BeamTerm {
     /// Three in bending each way where nothing is written, because axial ones are far too fast for most integrators.
     pub fn counts(&self, space: Space) -> Counts {
         let bending_z = if space == Space::Spatial { 3 } else { 0 };
-        let unwritten = Counts { axial: 0, bending: 3, bending_z, quadratic: false };
+        let unwritten = Counts { axial: 0, bending: 3, bending_z, torsion: 0, quadratic: false };
         self.modes.as_ref().map_or(unwritten, |modes| modes.counts)
     }
 

@@ -130,12 +130,33 @@ fn what_beams_in_space_are_made_of() {
             "modes = (bending = 2);",
             "a beam in space bends two ways: write `bending_y` for what moves along y, and `bending_z`",
         ),
+        ("modes = (torsion = 2);", "the beam `rod` has no shear modulus: write `shear_modulus [GPa] = …;`"),
         (
-            "modes = (torsion = 2);",
-            "modes in torsion are not there yet in this version; there are `axial`, `bending_y`, `bending_z`",
+            "modes = (torsion = 2); shear_modulus [GPa] = -80;",
+            "the shear modulus of the beam `rod` must be positive, found -8e10",
+        ),
+        (
+            "shear_modulus [GPa] = 80;",
+            "the beam `rod` has no modes in torsion, which its shear modulus would resist: write `modes = (bending_y = 3, bending_z = 3, torsion = 2)`",
+        ),
+        ("modes = (torsion = 13); shear_modulus [GPa] = 80;", "a beam has 0 to 12 torsion modes, found 13"),
+        (
+            "modes = (torsion = quadratic); shear_modulus [GPa] = 80;",
+            "quadratic shapes are there along the axis alone",
+        ),
+        (
+            "modes = (torsion = 2); shear_modulus [GPa] = 80; torsion_constant [mm^4] = 3;",
+            "the torsion_constant of `rod` follows from its section",
+        ),
+        (
+            "modes = (torsion = 2); shear_modulus [GPa] = 80; stiffening = on;",
+            "write `modes = (bending_y = 3)`, or leave `stiffening` out",
         ),
         ("modes = (bending_x = 2);", "no modes called \"bending_x\"; did you mean `bending_y`?"),
-        ("modes = 3;", "`(bending_y = 2, bending_z = 2)`, or `(axial = 1, bending_y = 2, bending_z = 2)`"),
+        (
+            "modes = 3;",
+            "`(bending_y = 2, bending_z = 2)`, or `(axial = 1, bending_y = 2, bending_z = 2, torsion = 1)`",
+        ),
         ("modes = (bending_y = 0, axial = 0);", "write `(bending_y = 3)`, or `rod`"),
         (
             "modes = (axial = 2); stiffening = on;",
@@ -153,6 +174,19 @@ fn what_beams_in_space_are_made_of() {
     ));
     let lacking = mistakes_in_space("area [mm^2] = 20; second_moment_z [mm^4] = 30;", "");
     assert!(lacking.contains("the beam `rod` has no second_moment_y"), "{lacking}");
+    let lacking = mistakes_in_space(
+        "area [mm^2] = 20; second_moment_z [mm^4] = 30; second_moment_y [mm^4] = 30; shear_modulus [GPa] = 80; modes = (torsion = 1);",
+        "",
+    );
+    assert!(
+        lacking.contains("the beam `rod` has no torsion constant: write `torsion_constant [mm^4] = …;`"),
+        "{lacking}"
+    );
+    let twisting = format!("{section} modes = (torsion = 2); shear_modulus [GPa] = 80;");
+    let angle = mistakes_in_space(&twisting, "output twist [mm] = rod.torsion[1];");
+    assert!(angle.contains("an angle"), "{angle}");
+    let mode = mistakes_in_space(&twisting, "output twist [rad] = rod.torsion[2];");
+    assert!(mode.contains("it has `rod.torsion[0]` to `rod.torsion[1]`, each with `.rate`"), "{mode}");
     let mode = mistakes_in_space(section, "output bent [mm] = rod.bending[0];");
     assert!(mode.contains("`rod` has no mode `rod.bending[0]`; it has `rod.bending_y[0]`"), "{mode}");
     let mode = mistakes_in_space(section, "output bent [mm] = rod.bending_y[3];");
@@ -263,13 +297,15 @@ fn motors_clamp() {
     let held = |modes: &str, joint: &str, more: &str| {
         let source = format!(
             "spatial Arms {{ beam rod {{ length [m] = 1; section = circle(diameter [mm] = 10); young [GPa] = 210; density [kg/m^3] = 7800;
-             shapes = static; modes = ({modes}); }} joint foot: {joint}; {more} }}"
+             shapes = static; modes = ({modes}); {} }} joint foot: {joint}; {more} }}",
+            if modes == "torsion = 1" { "shear_modulus [GPa] = 80;" } else { "" }
         );
         let compiled = compile(source.parse().expect("tokens"), None)
             .unwrap_or_else(|errors| panic!("{source}\n{errors}"));
         compiled.warnings.iter().map(|warning| warning.message.clone()).collect::<Vec<_>>().join("; ")
     };
     let both = "bending_y = 1, bending_z = 1";
+    let twist = "torsion = 1";
     let revolute = |axis: &str| format!("revolute(ground(0, 0, 0) [m], rod.start, axis = {axis})");
     let cross = "universal(ground(0, 0, 0) [m], rod.start, axis = (0, 1, 0), second_axis = (0, 0, 1))";
     let torque = "torque motor: torque(foot) = 1 [N*m];";
@@ -287,6 +323,10 @@ fn motors_clamp() {
         ("bending_z = 1", cross.to_string(), &one, None),
         (both, cross.to_string(), &format!("{one} {two}"), None),
         (both, ball.to_string(), "", Some("z")),
+        (twist, revolute("(1, 0, 0)"), "", Some("x")),
+        (twist, revolute("(0, 0, 2)"), "", None),
+        (twist, revolute("(1, 0, 0)"), torque, None),
+        (twist, cross.to_string(), "", None),
         (both, ball.to_string(), "torque motor: torque(rod) = (0 [N*m], 1 [N*m], 0 [N*m]);", None),
     ] {
         let found = held(modes, &joint, more);

@@ -151,6 +151,7 @@ const TEMPLATES: [&str; 42] = [
     "rod new { mass [ kg ] = X ; length [ m ] = # ; }",
     "beam new { mass [ kg ] = X ; length [ m ] = # ; young [ GPa ] = # ; area [ m^2 ] = # ; second_moment [ m^4 ] = # ; }",
     "modes = ( axial = # , bending = # ) ;",
+    "modes = ( bending_y = # , torsion = # ) ; shear_modulus [ GPa ] = # ;",
     "shapes = clamped ;",
 ];
 

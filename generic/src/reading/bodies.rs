@@ -99,27 +99,39 @@ impl<'t> Reader<'t> {
             count.ok_or_else(|| DefinitionError::malformed(own, key))
         };
         let length = shape.scalar("length")?;
-        // Area, second moments about z and about y.
-        let [area, about_z, about_y] = match optional(written, "section") {
+        let torsion = match optional(written, "torsion") {
+            Some(_) => count("torsion")?,
+            None => 0,
+        };
+        // Area, second moments about z and about y, Saint-Venant's torsion constant where there is torsion.
+        let [area, about_z, about_y, twisted] = match optional(written, "section") {
             None if self.spatial => {
-                [shape.scalar("area")?, shape.scalar("second_moment_z")?, shape.scalar("second_moment_y")?]
+                let twisted = if torsion > 0 { shape.scalar("torsion_constant")? } else { 0.0 };
+                let [about_z, about_y] = [shape.scalar("second_moment_z")?, shape.scalar("second_moment_y")?];
+                [shape.scalar("area")?, about_z, about_y, twisted]
             }
-            None => [shape.scalar("area")?, shape.scalar("second_moment")?, 0.0],
+            None => [shape.scalar("area")?, shape.scalar("second_moment")?, 0.0, 0.0],
             Some(section) => {
                 let of = |key: &str| self.entry(field(section, key, own)?, own);
                 let round = |diameter: f64| {
                     let about = PI * diameter.powi(4) / 64.0;
-                    [PI * diameter.powi(2) / 4.0, about, about]
+                    [PI * diameter.powi(2) / 4.0, about, about, 2.0 * about]
                 };
                 match text(section, "kind", own)? {
                     "circle" => round(of("diameter")?),
                     "tube" => {
                         let [outer, inner] = [round(of("outer")?), round(of("inner")?)];
-                        [0, 1, 2].map(|k| outer[k] - inner[k])
+                        [0, 1, 2, 3].map(|k| outer[k] - inner[k])
                     }
                     "rectangle" => {
                         let [height, width] = [of("height")?, of("width")?];
-                        [height * width, width * height.powi(3) / 12.0, height * width.powi(3) / 12.0]
+                        let twisted = torsion_of_rectangle(height, width);
+                        [
+                            height * width,
+                            width * height.powi(3) / 12.0,
+                            height * width.powi(3) / 12.0,
+                            twisted,
+                        ]
                     }
                     kind => return Err(DefinitionError::kind(own, kind)),
                 }
@@ -142,7 +154,13 @@ impl<'t> Reader<'t> {
             },
             spatial: self.spatial,
             mass,
-            rigidity: [young * area, young * about_z, young * about_y],
+            torsion,
+            rigidity: [
+                young * area,
+                young * about_z,
+                young * about_y,
+                if torsion > 0 { shape.scalar("shear_modulus")? * twisted } else { 0.0 },
+            ],
             polar: (about_z + about_y) / area,
             stiffens: is("stiffening"),
             quadratic: is("quadratic"),
@@ -219,6 +237,15 @@ impl<'t> Reader<'t> {
         }
         Ok(axes)
     }
+}
+
+/// a b³ (1/3 − (64/π⁵) (b/a) Σ tanh(nπa/2b)/n⁵) over odd n, of Prandtl's stress function (Timoshenko, Goodier, *Theory of Elasticity*, 109), which
+/// holds whichever side is a: here the shorter one, term by term until none counts.
+fn torsion_of_rectangle(one: f64, other: f64) -> f64 {
+    let (a, b) = (one.min(other), one.max(other));
+    let term = |n: f64| (0.5 * n * PI * a / b).tanh() / n.powi(5);
+    let sum: f64 = (0..2000).rev().map(|k| term(2.0 * f64::from(k) + 1.0)).sum();
+    a * b.powi(3) * (1.0 / 3.0 - 64.0 / PI.powi(5) * b / a * sum)
 }
 
 /// The fields of an object.

@@ -41,7 +41,7 @@ fn pendulum_of_a_strip() {
 }
 
 /// det(K − ω²) of ẍ = −K x, which changes its sign at each frequency, by elimination.
-fn determinant(a: &[f64], hertz: f64) -> f64 {
+pub fn determinant(a: &[f64], hertz: f64) -> f64 {
     let count = a.len().isqrt() / 2;
     let entry = |i: usize, j: usize| {
         -a[2 * count * (count + i) + j] - if i == j { (TAU * hertz).powi(2) } else { 0.0 }

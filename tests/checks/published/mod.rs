@@ -21,6 +21,7 @@ mod parts;
 mod quick_return;
 mod robots;
 mod rolling;
+mod shafts;
 mod space;
 mod states;
 mod vehicles;

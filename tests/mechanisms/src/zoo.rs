@@ -213,6 +213,8 @@ macro_rules! for_each_in_zoo {
             stiffened: $crate::zoo_beams::Stiffened,
             bent_in_space: $crate::zoo_beams_in_space::BentInSpace,
             bent_loop: $crate::zoo_beams_in_space::BentLoop,
+            twisted_in_space: $crate::zoo_beams_in_space::TwistedInSpace,
+            twisted_loop: $crate::zoo_beams_in_space::TwistedLoop,
             winch: $crate::zoo_cables::Winch,
             hoisted: $crate::zoo_cables::Hoisted,
             touching: $crate::zoo_contacts::Touching,

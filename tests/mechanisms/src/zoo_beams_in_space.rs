@@ -1,4 +1,4 @@
-//! Mechanisms with beams in space: every set of shapes, both ways of bending, sections that carry and are carried, in trees and loops.
+//! Mechanisms with beams in space: every set of shapes, both ways of bending, torsion, sections that carry and are carried, in trees and loops.
 
 linkwright::mechanism! {
     /// An arm of a clamped and a free beam with a body at the end, and a pinned one on a cross at the middle of the first.
@@ -65,6 +65,68 @@ linkwright::mechanism! {
         options { emit = (penalty, projection, tangent); }
         output reach [m] = rail.travel;
         output sway [mm] = mast.bending_y[0];
+        output whole [J] = energy;
+    }
+}
+
+linkwright::mechanism! {
+    /// Two shafts that twist and bend in a chain, one of them in its middle with an arm, between a motor and a hand.
+    #[allow(slender)]
+    pub spatial TwistedInSpace {
+        param shear [GPa] = 0.08 in 0.01..100;
+        param wide [mm] = 20 in 10..40;
+        param loss = 0.01 in 0..1;
+        input twist [N*m];
+        gravity [m/s^2] = (0.3, -0.2, -9.81);
+        beam drive { length [m] = 1; section = circle(diameter [mm] = 30); young [GPa] = 1; shear_modulus = shear; density [kg/m^3] = 7800;
+                     modes = (bending_y = 1, torsion = 2); shapes = clamped; damping_ratio = loss;
+                     point third [m] = (0.4, 0, 0); }
+        beam blade { length [m] = 0.8; section = rectangle(height [mm] = 30, width = wide); young [GPa] = 1; shear_modulus [GPa] = 0.3;
+                     density [kg/m^3] = 2700; modes = (bending_z = 1, torsion = 2); stiffening = on; }
+        body hand  { mass [kg] = 0.5; inertia [kg*m^2] = (1e-3, 2e-3, 1.5e-3); center [m] = (0.05, 0.01, 0.02); }
+        body arm   { mass [kg] = 0.3; inertia [kg*m^2] = (1e-3, 2e-3, 1.5e-3); center [m] = (0.1, 0.01, 0.02); }
+        joint base:  revolute(ground(0, 0, 0) [m], drive.start, axis = (1, 0.2, 0.1));
+        joint elbow: revolute(drive.end, blade.start, axis = (0, 1, 0.3));
+        joint wrist: fixed(blade.end, hand.origin);
+        joint side:  revolute(drive.third, arm.origin, axis = (0.3, 1, 0));
+        torque turn: torque(base) = twist;
+        force blow:  force(hand.origin) = (0.3 [N], -0.1 [N*s/m]*drive.center.velocity.y, 0.2 [N]);
+        start { base.angle [rad] = 0.3; base.rate [rad/s] = 3; elbow.angle [rad] = 0.5; elbow.rate [rad/s] = -2; side.angle [rad] = 0.2;
+                side.rate [rad/s] = 1; drive.torsion[0] [deg] = 4; drive.torsion[1].rate [rad/s] = 3;
+                blade.torsion[1] [rad] = 0.03; blade.torsion[0].rate [rad/s] = 2; blade.bending_z[0] [mm] = 3; }
+        options { emit = (penalty, projection, null_space); }
+        output turned [deg] = drive.torsion[0] + 0.1 [s]*blade.torsion[0].rate;
+        output x [m] = hand.origin.x;
+        output z [m] = arm.center.z;
+        output folded [rad] = elbow.angle;
+        output whole [J] = energy;
+    }
+}
+
+linkwright::mechanism! {
+    /// A loop through a shaft with polynomial shapes, and a stated section between two hinges that twists.
+    #[allow(slender)]
+    pub spatial TwistedLoop {
+        param shear [GPa] = 0.05 in 0.01..100;
+        gravity [m/s^2] = (0, 0, -9.81);
+        beam mast  { length [m] = 1; section = tube(outer [mm] = 60, inner [mm] = 50); young [GPa] = 0.7; shear_modulus = shear; density [kg/m^3] = 2700;
+                     modes = (bending_z = 1, torsion = 2); shapes = static; }
+        beam rod   { length [m] = 0.8; area [mm^2] = 700; second_moment_z [mm^4] = 3e4; second_moment_y [mm^4] = 4e4; torsion_constant [mm^4] = 2e4;
+                     young [GPa] = 0.7; shear_modulus [GPa] = 0.04; density [kg/m^3] = 1500; modes = (bending_y = 1, torsion = 1); shapes = pinned;
+                     damping_ratio = 0.02; }
+        body lever { mass [kg] = 0.4; inertia [kg*m^2] = (2e-3, 3e-3, 4e-3); center [m] = (0.1, 0.05, 0); point tip [m] = (0.2, 0.3, 0); }
+        body block { mass [kg] = 1; inertia [kg*m^2] = (1e-2, 1e-2, 1e-2); }
+        joint foot:  fixed(ground(0, 0, 0) [m], mast.start);
+        joint crown: fixed(mast.end, lever.origin);
+        joint pin:   universal(lever.tip, rod.start, axis = (0, 1, 0), second_axis = (0, 0, 1));
+        joint hook:  spherical(rod.end, block.center);
+        joint rail:  prismatic(ground(0, 0.3, 0) [m], block.center, axis = (1, 0, 0));
+        spring tie:  spring(block.center, ground(3, 0.3, 0) [m], stiffness [N/m] = 40, length [m] = 0.8);
+        start { mast.torsion[0] [rad] = 0.04; mast.torsion[1].rate [rad/s] = 0.4; rod.torsion[0] [deg] = 2; rod.torsion[0].rate [rad/s] = 1;
+                rail.travel [m] ~ 2; pin.angle_1 [rad] ~ 0; pin.angle_2 [rad] ~ 0; }
+        options { emit = (penalty, projection, tangent); }
+        output reach [m] = rail.travel;
+        output turned [deg] = mast.torsion[0];
         output whole [J] = energy;
     }
 }

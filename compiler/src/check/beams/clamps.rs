@@ -2,6 +2,7 @@
 //! about whose angles a moment passes, from a motor, a spring or a coupling. Shapes that are clamped at the start have a moment there, and without
 //! one many of them are needed.
 
+use crate::beams::{Shapes, Way};
 use crate::forms::JointAxes;
 use crate::model::{
     Beam, BodyId, ConstraintKind, Coordinate, Frame, JointId, Mechanism, Place, Quantity, Rotor, Space,
@@ -42,13 +43,16 @@ pub fn loose(
         }
         _ => None,
     };
-    let bends =
-        |axis: usize| beam.slender.modes.iter().any(|mode| mode.way.bends() && mode.way.axis() == axis);
-    let turns = |about: usize| across.is_none_or(|axis| axis[about].abs() > STRAIGHT);
-    // What moves along y turns about z, what moves along z about y.
-    [("z", 2, 1), ("y", 1, 2)]
+    // A cross passes what twists the beam on.
+    let turns = |about: usize| match joint.form.axes {
+        JointAxes::OfEach if about == 0 => false,
+        _ => across.is_none_or(|axis| axis[about].abs() > STRAIGHT),
+    };
+    // What moves along y turns about z, what moves along z about y; twist is held at the start by the shapes of two hinges, too.
+    let held = |way: Way| beam.has(way) && (way == Way::Torsion || beam.slender.shapes != Shapes::Pinned);
+    [("z", 2, Way::Bending), ("y", 1, Way::BendingZ), ("x", 0, Way::Torsion)]
         .into_iter()
-        .find(|(_, about, along)| turns(*about) && bends(*along))
+        .find(|(_, about, way)| turns(*about) && held(*way))
         .map(|it| it.0)
 }
 

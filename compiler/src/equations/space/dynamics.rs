@@ -49,12 +49,13 @@ pub fn dynamics<'g>(laws: &Laws<'g>) -> Dynamics<'g> {
     Dynamics { mass, forces, inverse, kinetic_energy, potential_energy, distributions }
 }
 
-/// The kinetic energy of rigid bodies and of slices of beams, by quadrature of ½ μ |ṙ|² along their axes: what no algebra of integrals
-/// has gone into.
+/// The kinetic energy of rigid bodies and of slices of beams, by quadrature of ½ μ |ṙ|² and of what sections have as they turn about the axis: what
+/// no algebra of integrals has gone into.
 pub fn kinetic_energy_of_slices<'g>(laws: &Laws<'g>, rule: &crate::beams::Rule) -> Scalar<'g> {
     let Some(kinematics) = laws.space() else { return laws.g.zero() };
     let beams = Spread::all(laws, kinematics);
-    let rigid = distributions(laws, kinematics.bare, &beams, Spread::spin_alone);
+    let none = |_: &Spread<'g>| laws.g.on(Distribution::none(laws.g));
+    let rigid = distributions(laws, kinematics.bare, &beams, none);
     let mut sum = kinetic_energy(kinematics, &rigid, &[]);
     for (body, placement) in laws.mechanism.bodies.iter().zip(&kinematics.bare.bodies) {
         let Some(flexible) = &placement.flexible else { continue };
@@ -66,6 +67,15 @@ pub fn kinetic_energy_of_slices<'g>(laws: &Laws<'g>, rule: &crate::beams::Rule) 
             sum += 0.5 * weight * (mass * velocity.dot(velocity));
         }
     }
+    let motions = motions(kinematics, None, vector::zero(laws.g));
+    let flexible = kinematics.bare.bodies.iter().filter_map(|placement| placement.flexible.as_ref());
+    for (beam, flexible) in beams.iter().zip(flexible) {
+        let slender = &flexible.slender;
+        for (share, weight) in rule.points() {
+            let values = slender.slopes(slender.from + share * slender.length);
+            sum += 0.5 * weight * beam.twice_about_axis(motions[beam.link].omega, &values);
+        }
+    }
     sum
 }
 
@@ -74,7 +84,7 @@ fn distributions<'g>(
     laws: &Laws<'g>,
     kinematics: &Kinematics,
     beams: &[Spread<'g>],
-    of_beam: fn(&Spread<'g>) -> On<'g, Distribution>,
+    of_beam: impl Fn(&Spread<'g>) -> On<'g, Distribution>,
 ) -> Vec<On<'g, Distribution>> {
     let g = laws.g;
     let none = Distribution::none(g);

@@ -8,7 +8,11 @@
 //! With stiffening there are the functions D_j and E of [`Means`] too, along e₁. What M leaves of the inertia forces while the modes move is 2 ω × ẇ + ẅ at every point; all else is what the rigid body of the instant
 //! has, which `dynamics` knows.
 //!
-//! A section is turned by φ = (0, −Σ N′ p_z, Σ N′ p_y), which the theory knows to first order. What is carried has to be turned by a
+//! Sections that twist by Σ N_t p_t turn by that rate more about e₁, with the moment of inertia about the axis of each, to which the turns of
+//! bending add nothing (no rotary inertia): T = ½ ∫ j (e₁·ω + Σ N_t ṗ_t)² dx, so that with the means ν_j of N_j and ν_jk of N_j N_k and J = ∫ j dx
+//! the body is given the moment J (ν_j p̈_j e₁ + ν_j ṗ_j ω × e₁) and the mode J (ν_j e₁·α + ν_jk p̈_k).
+//!
+//! A section is turned by φ = (Σ N_t p_t, −Σ N′ p_z, Σ N′ p_y), which the theory knows to first order. What is carried has to be turned by a
 //! rotation, of which here Cayley's has this first order, without trigonometry: with c = φ/2
 //!   R = 1 + 2 (c̃ + c̃²)/(1 + c²),  ω = (φ̇ − c × φ̇)/(1 + c²) in the axes of the section
 //! (Géradin, Cardona, *Flexible Multibody Dynamics*, 4.6, Rodrigues parameters).
@@ -87,9 +91,10 @@ impl Flexible {
     pub fn lean<'g>(&self, g: Sheet<'g>, velocities: &[Node], x: f64, sign: f64) -> Option<Motion> {
         let (mut half, mut rate, mut turns) = (vector::zero(g), vector::zero(g), Vec::new());
         for (way, modal, slope) in self.parts(self.slender.slopes(x), sign) {
-            // What rises along y turns about z, what rises along z back about y.
+            // What rises along y turns about z, what rises along z back about y, what twists about x.
             let about = match way {
                 Way::Axial => continue,
+                Way::Torsion => slope * vector::unit(g, 0),
                 Way::Bending => slope * vector::unit(g, 2),
                 Way::BendingZ => -slope * vector::unit(g, 1),
             };
@@ -201,6 +206,8 @@ pub struct Share<'g> {
     rate: Scalar<'g>,
     /// N_j e_j, and D_j e₁ of what bending draws in.
     column: Field<'g>,
+    /// Of a mode in torsion: which it is.
+    twist: Option<usize>,
 }
 
 /// A beam with its mass, on its link.
@@ -252,6 +259,11 @@ impl<'g> Spread<'g> {
         let mut shares = Vec::new();
         for (mode, modal) in flexible.modes.iter().enumerate() {
             let way = slender.modes[mode].way;
+            let (velocity, rate) = (modal.velocity, g.on(rate_of(modal)));
+            if way == Way::Torsion {
+                shares.push(Share { velocity, rate, column: Vec::new(), twist: Some(mode) });
+                continue;
+            }
             let axis = axes.column(way.axis());
             position.push((2 + mode, g.on(modal.value) * axis));
             let mut column = vec![(2 + mode, axis)];
@@ -260,7 +272,7 @@ impl<'g> Spread<'g> {
                 position.push((drawn, 0.5 * (g.on(modal.value) * along)));
                 column.push((drawn, along));
             }
-            shares.push(Share { velocity: modal.velocity, rate: g.on(rate_of(modal)), column });
+            shares.push(Share { velocity, rate, column, twist: None });
         }
         let faster = if stiffens { vec![(2 + 2 * modes, along)] } else { Vec::new() };
         let means = Means::new(g, slender, &bent);
@@ -327,25 +339,34 @@ impl<'g> Spread<'g> {
         g.on(Distribution { mass: self.mass.bare, first: first.bare, inertia: inertia.bare })
     }
 
-    /// What it has about its own axis alone, which slices of the axis do not know.
-    pub fn spin_alone(&self) -> On<'g, Distribution> {
-        let g = self.mass.g;
-        let inertia = Symmetric::of(g, |k| {
-            let (i, j) = ENTRIES[k];
-            self.spin * (self.along.at(i) * self.along.at(j))
-        });
-        g.on(Distribution { inertia: inertia.bare, ..Distribution::none(g) })
+    /// Twice the energy with which a section turns about its axis, were it as heavy as the whole: the link turns by ω, and modes in torsion have
+    /// these values at the section.
+    pub fn twice_about_axis(&self, omega: On<'g, Vec3>, values: &[f64]) -> Scalar<'g> {
+        let twisting = self.shares.iter().zip(values).filter(|(share, _)| share.twist.is_some());
+        let rate = twisting.fold(self.along.dot(omega), |sum, (share, value)| sum + *value * share.rate);
+        self.spin * rate.square()
+    }
+
+    /// ν_j of a mode in torsion, else nothing.
+    fn twist(&self, share: &Share<'g>) -> Scalar<'g> {
+        share.twist.map_or(self.mass.g.zero(), |mode| self.means.first(1 + mode))
+    }
+
+    /// ν_jk of two modes in torsion, else nothing.
+    fn both_twist(&self, one: &Share<'g>, other: &Share<'g>) -> Scalar<'g> {
+        let both = one.twist.zip(other.twist);
+        both.map_or(self.mass.g.zero(), |(j, k)| self.means.second(1 + j, 1 + k))
     }
 
     /// Moment about the origin of the link and force of a mode that is accelerated by one.
     pub fn column(&self, share: &Share<'g>) -> [On<'g, Vec3>; 2] {
         let (moment, force) = (self.cross(&self.position, &share.column), self.h(0, &share.column));
-        [self.mass * moment, self.mass * force]
+        [self.mass * moment + (self.spin * self.twist(share)) * self.along, self.mass * force]
     }
 
     /// M of two modes.
     pub fn mass_of(&self, one: &Share<'g>, other: &Share<'g>) -> Scalar<'g> {
-        self.mass * self.dot(&one.column, &other.column)
+        self.mass * self.dot(&one.column, &other.column) + self.spin * self.both_twist(one, other)
     }
 
     /// What moves within the link: 2 ω × ẇ + ẅ at every point, in two parts.
@@ -363,7 +384,12 @@ impl<'g> Spread<'g> {
         let coriolis: Field<'g> = rates.iter().map(|(k, w)| (*k, 2.0 * motion.omega.cross(*w))).collect();
         let force = self.h(0, &coriolis) + self.h(0, &own);
         let moment = self.cross(&self.position, &coriolis) + self.cross(&self.position, &own);
-        [self.mass * moment, self.mass * force]
+        let turning = self.turning(|share| share.rate);
+        let mut about = turning * motion.omega.cross(self.along);
+        if let Some(a) = accelerations {
+            about += self.turning(|share| self.mass.g.on(a[share.velocity])) * self.along;
+        }
+        [self.mass * moment + self.spin * about, self.mass * force]
     }
 
     /// Force along each mode that the motion of the link and of the modes needs.
@@ -374,6 +400,14 @@ impl<'g> Spread<'g> {
     ) -> Vec<(usize, Scalar<'g>)> {
         let [rates, own] = self.moving(accelerations);
         let force = |share: &Share<'g>| {
+            if share.twist.is_some() {
+                let mut sum = self.twist(share) * self.along.dot(motion.alpha);
+                if let Some(a) = accelerations {
+                    let both = |its: &Share<'g>| self.both_twist(share, its) * a[its.velocity];
+                    sum += self.mass.g.sum(self.shares.iter().map(both));
+                }
+                return (share.velocity, self.spin * sum);
+            }
             let mut sum = self.h(0, &share.column).dot(motion.acceleration);
             for (k, w) in &share.column {
                 let carried = motion.spin * self.h(*k, &self.position);
@@ -389,7 +423,17 @@ impl<'g> Spread<'g> {
         let rates = self.rates();
         let mixed =
             motion.velocity.dot(self.h(0, &rates)) + motion.omega.dot(self.cross(&self.position, &rates));
-        self.mass * (mixed + 0.5 * self.dot(&rates, &rates))
+        let turning = self.along.dot(motion.omega) * self.turning(|share| share.rate);
+        let pairs = self.shares.iter().flat_map(|one| {
+            self.shares.iter().map(move |other| self.both_twist(one, other) * (one.rate * other.rate))
+        });
+        let twisting = turning + 0.5 * self.mass.g.sum(pairs);
+        self.mass * (mixed + 0.5 * self.dot(&rates, &rates)) + self.spin * twisting
+    }
+
+    /// Σ ν_j of modes in torsion times these.
+    fn turning(&self, of: impl Fn(&Share<'g>) -> Scalar<'g>) -> Scalar<'g> {
+        self.mass.g.sum(self.shares.iter().map(|share| self.twist(share) * of(share)))
     }
 }
 

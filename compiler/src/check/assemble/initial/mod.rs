@@ -129,7 +129,7 @@ impl Stated {
                         stated.centers.insert((body.0, *axis), value);
                     }
                 }
-                Coordinate::Mode(body, mode) => {
+                Coordinate::Mode(body, mode, _) => {
                     stated.modes.insert((body.0, *mode), value);
                 }
                 Coordinate::Distance(..)

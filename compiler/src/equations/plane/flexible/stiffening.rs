@@ -56,7 +56,7 @@ impl Spread<'_, '_> {
     /// −Σ_k Γ_jk p_k: D_j.
     pub(super) fn drawn_in_by(&self, mode: usize) -> Field {
         match self.flexible.slender.modes[mode].way {
-            Way::Axial => Field::default(),
+            Way::Axial | Way::Torsion => Field::default(),
             Way::Bending | Way::BendingZ => self.along(1 + self.flexible.modes.len() + mode),
         }
     }
