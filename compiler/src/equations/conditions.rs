@@ -31,7 +31,7 @@ pub fn name(mechanism: &Mechanism, coordinate: &Coordinate) -> String {
         Coordinate::Angle(Rotor::Body(body)) => format!("{}.angle", mechanism.bodies[body.0].name.text),
         Coordinate::Angle(Rotor::Joint(id, which)) => angle_name(mechanism, *id, *which, 0),
         Coordinate::Travel(id, which) => travel_name(mechanism, *id, *which, 0),
-        Coordinate::Mode(body, mode, _) => mode_name(mechanism, *body, *mode),
+        Coordinate::Mode(body, mode, _) => mode_name(mechanism, *body, usize::from(*mode)),
         Coordinate::Position(place, axis) => format!("{}.{}", place.text, ["x", "y", "z"][*axis]),
         Coordinate::Distance(a, b) => format!("distance({}, {})", a.text, b.text),
         Coordinate::Way(ends, _) => format!("way({}, {})", ends[0].text, ends[1].text),

@@ -292,9 +292,10 @@ impl<'a> Laws<'a> {
             Coordinate::Travel(joint, which) => self.kinematics().travel(self, *joint, *which),
             Coordinate::Position(place, axis) => self.kinematics().world(self, place)[*axis].clone(),
             Coordinate::Turn(body, axis) => self.kinematics().omega(*body, *axis),
-            Coordinate::Mode(body, mode, _) => {
-                self.kinematics().mode(body.0, *mode).unwrap_or_else(|| self.still(self.g.zero()))
-            }
+            Coordinate::Mode(body, mode, _) => self
+                .kinematics()
+                .mode(body.0, usize::from(*mode))
+                .unwrap_or_else(|| self.still(self.g.zero())),
             Coordinate::Deviation(body, axis) => {
                 let mut stated = self.mechanism.orientations.iter();
                 match stated.find(|start| start.body == *body) {

@@ -256,7 +256,7 @@ impl<'d> Lowering<'d> {
             self.diagnostics.error(path.region, message);
             return Some(Err(()));
         };
-        Some(Ok((Coordinate::Mode(body, mode, way.dimension()), !rest.is_empty())))
+        Some(Ok((Coordinate::Mode(body, mode as u8, way), !rest.is_empty())))
     }
 
     /// `frequency(coupler.bending[0]) >= 200 [Hz]`
@@ -272,7 +272,13 @@ impl<'d> Lowering<'d> {
         };
         let entry = syntax::Entry::bare(bound.clone());
         let hertz = self.number(&entry, Dimension::ONE.over(Dimension::TIME), "frequency")?;
-        Some(Frequency { body, mode, side, bound: hertz, span: path.region.to(bound.region) })
+        Some(Frequency {
+            body,
+            mode: usize::from(mode),
+            side,
+            bound: hertz,
+            span: path.region.to(bound.region),
+        })
     }
 
     /// Whether a place there moves as a beam deforms.
@@ -338,8 +344,7 @@ impl<'d> Lowering<'d> {
         for (index, body) in mechanism.bodies.iter().enumerate() {
             let Some(beam) = &body.beam else { continue };
             for mode in 0..beam.slender.modes.len() {
-                let dimension = beam.slender.modes[mode].way.dimension();
-                let coordinate = Coordinate::Mode(BodyId(index), mode, dimension);
+                let coordinate = Coordinate::Mode(BodyId(index), mode as u8, beam.slender.modes[mode].way);
                 for rate in [false, true] {
                     // What is only guessed is found, and so is its rate.
                     let said = |start: &StartCondition| {

@@ -170,11 +170,11 @@ fn a_rotor_whirls_and_centres_itself() {
         let mut simulation = Simulation::new(&model, start).integrator(Rk4).step(2e-4);
         simulation.advance_until(2.5).expect("it turns");
         let outputs = simulation.sample().outputs;
-        let found = 1e-3 * outputs.y.hypot(outputs.z);
+        let found = outputs.y.hypot(outputs.z);
         shapes.see(found / circle(summed(speed), speed), 1.0);
         shaft.see(found / circle(uniform(speed), speed), 1.0);
         if speed == 400.0 {
-            centred.see(1e3 * outputs.heavy_y.hypot(outputs.heavy_z), 0.0);
+            centred.see(1e6 * outputs.heavy_y.hypot(outputs.heavy_z), 0.0);
             assert!((found / eccentricity - 1.0).abs() < 0.13, "{found}");
         }
     }

@@ -130,7 +130,7 @@ impl Stated {
                     }
                 }
                 Coordinate::Mode(body, mode, _) => {
-                    stated.modes.insert((body.0, *mode), value);
+                    stated.modes.insert((body.0, usize::from(*mode)), value);
                 }
                 Coordinate::Distance(..)
                 | Coordinate::Way(..)
