@@ -161,7 +161,7 @@ class Step:
         self.function = self.derive(arguments)
 
     def derive(self, arguments):
-        *outer, q, v = [ca.MX.sym(symbol, size) for symbol, size in zip("ptuxzenqv", [a.shape for a in arguments], strict=True)]
+        *outer, q, v = [ca.MX.sym(symbol, size) for symbol, size in zip("ptuxzgenqv", [a.shape for a in arguments], strict=True)]
         h = ca.MX.sym("h")
         n, time = v.numel(), outer[1]
 

@@ -47,7 +47,10 @@ fn every_function_in_c_is_its_program() {
                     else {
                         break;
                     };
-                    compare(&compiled(definition, words), &folder.join(format!("exported_{number}")));
+                    let compiled = compiled(definition, words);
+                    if export::refused(&compiled).is_none() {
+                        compare(&compiled, &folder.join(format!("exported_{number}")));
+                    }
                 }
             });
         }

@@ -4,6 +4,7 @@ use super::random::Random;
 use crate::registry::gates;
 use linkwright_compiler::Compiled;
 use linkwright_compiler::check::assemble::retract;
+use linkwright_compiler::equations::Linear;
 use linkwright_compiler::schedule::{Function, Inputs, run};
 use linkwright_compiler::solve::table::{Numeric, Table};
 use std::f64::consts::PI;
@@ -88,8 +89,15 @@ impl<'a> Walker<'a> {
         self.prepare(&mut inputs);
         self.close(&mut inputs)?;
         self.fix_phases(&mut inputs);
-        let steps = 12;
-        let wish = random.vector(self.compiled.complete.equations.layout.velocities(), self.speed);
+        // A driver turns by a radian at most in a step: what it carries goes along a straight line there.
+        let nu = run(self.compiled.programs.get(Function::Nu), &inputs);
+        let fastest = nu.iter().fold(0.0_f64, |most, rate| most.max(rate.abs()));
+        let steps = 12.max((end * fastest).ceil() as usize);
+        let layout = &self.compiled.complete.equations.layout;
+        let bends = layout.linear.iter().any(|linear| matches!(linear, Linear::Mode(..)));
+        // Beams that bend by as much as they are long turn their sections over.
+        let speed = if bends { 0.1 * self.speed } else { self.speed };
+        let wish = random.vector(layout.velocities(), speed);
         for step in 1..=steps {
             inputs.v = wish.clone();
             self.project_velocity(&mut inputs)?;
