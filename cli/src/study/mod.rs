@@ -79,7 +79,7 @@ pub fn study(study: &Study) -> ExitCode {
         Err(message) => {
             if study.json {
                 let unreadable = [(study.file.to_string_lossy().into_owned(), message)];
-                answer(&json::document_of(study.command.text(), Vec::new(), &unreadable));
+                answer(json::document_of(study.command.text(), Vec::new(), &unreadable));
             } else {
                 eprint!("{}", report::plain(&renderer, &message));
             }
@@ -120,7 +120,7 @@ pub fn study(study: &Study) -> ExitCode {
         if let Some(message) = said {
             object["failure"] = Value::from(message);
         }
-        answer(&json::document_of(study.command.text(), vec![object], &[]));
+        answer(json::document_of(study.command.text(), vec![object], &[]));
     } else {
         if code == ERRORS && value.is_none() {
             for finding in &findings {
