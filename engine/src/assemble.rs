@@ -1,6 +1,5 @@
 //! The engine as the runtime's `Assemble`.
 
-use crate::mechanism::given;
 use crate::{Engine, List, Numbers};
 use linkwright_compiler::functions::Argument::{
     BetaSquared, Compliance, GivenForces, GivenRows, Lu, Q, Store as Kept, Target, Time, TwoAlpha, V,
@@ -144,20 +143,10 @@ impl<D: 'static> Assemble<f64> for Engine<D> {
     ) -> f64 {
         match store {
             Store::Own(kept) if self.has(Function::System) => {
-                let [time, q, v, z, gates, u] = given(&time, state, u);
-                let given = [
-                    time,
-                    q,
-                    v,
-                    z,
-                    gates,
-                    u,
-                    (TwoAlpha, from_ref(&two_alpha)),
-                    (BetaSquared, from_ref(&beta_squared)),
-                    (Compliance, from_ref(&compliance)),
-                ];
+                let terms = self.at_state(time, state, u).with(TwoAlpha, &[two_alpha]);
+                let terms = terms.with(BetaSquared, &[beta_squared]).with(Compliance, &[compliance]);
                 let out = &mut [kept.as_mut_slice(), forces.as_mut_slice(), rows.as_mut_slice()];
-                self.call(Function::System, &given, out)
+                terms.results(Function::System, out)
             }
             _ => {
                 let pivot = self.factor(time, &state.q, compliance, store);

@@ -4,7 +4,7 @@ use crate::{Call, Engine, List, Numbers};
 use linkwright_compiler::functions::Argument::{
     Acceleration, BetaSquared, Gates, Inputs, Lambda, Q, Time, TwoAlpha, V, Z,
 };
-use linkwright_compiler::functions::{Argument, Function};
+use linkwright_compiler::functions::Function;
 use linkwright_runtime::{Layout, Mechanism, Row, StateOf, Variables, Vector, unwrap_angle};
 use std::slice::from_ref;
 
@@ -20,22 +20,6 @@ impl<D: 'static> Variables<f64> for Engine<D> {
     type Z = List;
     type Gates = List;
     type Lambda = List;
-}
-
-/// Time, state and inputs as arguments.
-pub fn given<'a>(
-    time: &'a f64,
-    state: &'a linkwright_runtime::State<List, List, List, List>,
-    u: &'a Numbers,
-) -> [(Argument, &'a [f64]); 6] {
-    [
-        (Time, from_ref(time)),
-        (Q, state.q.as_slice()),
-        (V, state.v.as_slice()),
-        (Z, state.z.as_slice()),
-        (Gates, state.gates.as_slice()),
-        (Inputs, u.as_slice()),
-    ]
 }
 
 impl<D: 'static> Mechanism<f64> for Engine<D> {
@@ -91,7 +75,7 @@ impl<D: 'static> Mechanism<f64> for Engine<D> {
         self.call(Function::Gamma, &given, &mut [gamma.as_mut_slice()]);
     }
     fn forces(&self, time: f64, state: &StateOf<Self>, u: &Numbers, forces: &mut List) {
-        self.call(Function::Forces, &given(&time, state, u), &mut [forces.as_mut_slice()]);
+        self.at_state(time, state, u).results(Function::Forces, &mut [forces.as_mut_slice()]);
     }
     fn rubs(&self) -> bool {
         self.has(Function::FrictionForces)
@@ -235,7 +219,7 @@ impl<D: 'static> Mechanism<f64> for Engine<D> {
     }
     fn outputs(&self, time: f64, state: &StateOf<Self>, u: &Numbers) -> Numbers {
         let mut outputs = List::zeros(self.output_names().len());
-        self.call(Function::Outputs, &given(&time, state, u), &mut [outputs.as_mut_slice()]);
+        self.at_state(time, state, u).results(Function::Outputs, &mut [outputs.as_mut_slice()]);
         Numbers(outputs)
     }
     fn unwrap(&self, outputs: &mut Numbers, previous: &Numbers) {
@@ -289,7 +273,7 @@ impl<D: 'static> Engine<D> {
 
     /// A function of time, state and inputs, which are arguments by now.
     #[inline(always)]
-    fn at_state(&self, time: f64, state: &StateOf<Self>, u: &Numbers) -> Call<'_> {
+    pub(crate) fn at_state(&self, time: f64, state: &StateOf<Self>, u: &Numbers) -> Call<'_> {
         let position = self.arguments().with(Time, &[time]).with(Q, state.q.as_slice());
         let state = position
             .with(V, state.v.as_slice())

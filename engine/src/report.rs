@@ -2,7 +2,6 @@
 //! of the fields of the runtime's structs. The trait `Report` is not implemented, because its entries are structs in the plane or in
 //! space, and which of them a definition is in is known only when it is read.
 
-use crate::mechanism::given;
 use crate::{Engine, List, Numbers};
 use linkwright_compiler::functions::Argument::{Acceleration, Lambda, Q, Time, V};
 use linkwright_compiler::functions::Function;
@@ -51,16 +50,15 @@ impl<D: 'static> Engine<D> {
     /// M a − Q.
     pub fn inverse_dynamics(&self, time: f64, state: &StateOf<Self>, u: &Numbers, a: &List) -> List {
         let mut forces = self.results(Function::InverseDynamics);
-        let [time, q, v, z, gates, u] = given(&time, state, u);
-        let given = [time, q, v, z, gates, u, (Acceleration, a.as_slice())];
-        self.call(Function::InverseDynamics, &given, &mut [forces.as_mut_slice()]);
+        let given = self.at_state(time, state, u).with(Acceleration, a.as_slice());
+        given.results(Function::InverseDynamics, &mut [forces.as_mut_slice()]);
         forces
     }
 
     /// Power of each load, W.
     pub fn powers(&self, time: f64, state: &StateOf<Self>, u: &Numbers) -> List {
         let mut powers = self.results(Function::Powers);
-        self.call(Function::Powers, &given(&time, state, u), &mut [powers.as_mut_slice()]);
+        self.at_state(time, state, u).results(Function::Powers, &mut [powers.as_mut_slice()]);
         powers
     }
 

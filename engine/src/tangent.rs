@@ -1,6 +1,5 @@
 //! The engine as the runtime's `Tangent`, where it has derivatives.
 
-use crate::mechanism::given;
 use crate::{Engine, List, Numbers};
 use linkwright_compiler::functions::Argument::{Acceleration, Q, Time, V};
 use linkwright_compiler::functions::Function;
@@ -99,10 +98,10 @@ impl Tangent<f64> for Engine<Derivatives> {
         self.call(Function::RateTangent, &given, &mut [rate.as_mut_slice()]);
     }
     fn input_tangent(&self, time: f64, state: &StateOf<Self>, u: &Numbers, input: &mut List) {
-        self.call(Function::InputTangent, &given(&time, state, u), &mut [input.as_mut_slice()]);
+        self.at_state(time, state, u).results(Function::InputTangent, &mut [input.as_mut_slice()]);
     }
     fn internal_tangent(&self, time: f64, state: &StateOf<Self>, u: &Numbers, internal: &mut List) {
-        self.call(Function::InternalTangent, &given(&time, state, u), &mut [internal.as_mut_slice()]);
+        self.at_state(time, state, u).results(Function::InternalTangent, &mut [internal.as_mut_slice()]);
     }
     fn friction_tangent(
         &self,

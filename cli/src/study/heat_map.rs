@@ -5,7 +5,7 @@ use super::short;
 use linkwright_compiler::drawing_text::escaped;
 use std::fmt::Write;
 
-/// A parameter, and its values in its unit, from the least on.
+/// A parameter, and its values in its unit, in the order in which they are drawn.
 pub struct Side<'s> {
     pub name: &'s str,
     pub unit: &'s str,
@@ -115,11 +115,11 @@ fn axes(svg: &mut String, [across, upward]: [&Side; 2], top: f64) {
         let cell = size / side.values.len() as f64;
         cell / 2.0 + (size - cell) * (mark - first) / (last - first)
     };
-    let ends = |side: &Side| {
+    let marks = |side: &Side| {
         let (first, last) = (side.values[0], side.values[side.values.len() - 1]);
         ticks(first.min(last), first.max(last), 5.0)
     };
-    for mark in ends(across) {
+    for mark in marks(across) {
         let (x, y) = (LEFT + middle(across, mark, BROAD), top + HIGH);
         let _ = writeln!(
             svg,
@@ -128,7 +128,7 @@ fn axes(svg: &mut String, [across, upward]: [&Side; 2], top: f64) {
             figure(mark)
         );
     }
-    for mark in ends(upward) {
+    for mark in marks(upward) {
         let y = top + HIGH - middle(upward, mark, HIGH);
         let _ = writeln!(
             svg,

@@ -16,6 +16,7 @@ mod native;
 pub mod options;
 mod picture;
 pub mod plot;
+mod progress;
 pub mod record;
 pub mod run;
 mod runs;

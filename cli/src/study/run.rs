@@ -3,6 +3,7 @@
 use super::format::Format;
 use super::methods::{self, Course, EngineState};
 use super::options::Study;
+use super::progress::Progress;
 use super::record::{Extremes, Group, Trajectory, columns};
 use super::{Done, Failure, Loaded, arrow, laws, settings, short, start, write};
 use crate::with_engine;
@@ -10,11 +11,7 @@ use linkwright_engine::Numbers;
 use linkwright_runtime::SimulationError;
 use serde_json::{Value, json};
 use std::fmt::Write;
-use std::io::{IsTerminal, stderr};
-use std::time::{Duration, Instant};
-
-/// A run that takes longer says how far it is, on a terminal, so often.
-const PATIENCE: Duration = Duration::from_millis(500);
+use std::time::Instant;
 
 /// A run, and why it stopped if it did.
 pub struct Run {
@@ -55,9 +52,14 @@ pub fn recorded(study: &Study, loaded: &Loaded, groups: &[Group]) -> Result<Run,
     let laws = laws(loaded, study)?;
     let start = with_engine!(any, |engine| start(engine)?);
     let mut trajectory = Trajectory::new(columns(&loaded.compiled, groups));
-    let mut progress = Progress::new(&study.course);
+    let (progress, duration, mut samples) = (Progress::new(), study.course.duration, 0_u32);
     let mut show = |time: f64, state: &EngineState, inputs: &Numbers, outputs: &Numbers| {
-        progress.at(time);
+        samples = samples.wrapping_add(1);
+        // The clock is not asked at every step.
+        if samples.is_multiple_of(256) {
+            let percent = 100.0 * time / duration;
+            progress.say(|| format!("{percent:3.0} %, {} s of {} s", short(time), short(duration)));
+        }
         with_engine!(any, |engine| trajectory.add(engine, groups, time, state, inputs, outputs));
     };
     let stopped = methods::run(any, &start, &laws, &study.course, &mut show).err();
@@ -70,43 +72,6 @@ pub fn recorded(study: &Study, loaded: &Loaded, groups: &[Group]) -> Result<Run,
             | SimulationError::TooMany { .. }),
         ) if trajectory.times.len() <= 1 => Err(Failure::Motion(error.to_string())),
         stopped => Ok(Run { trajectory, stopped, begun }),
-    }
-}
-
-/// How far a long run is.
-struct Progress {
-    duration: f64,
-    begun: Instant,
-    shown: Option<Instant>,
-    calls: u32,
-}
-
-impl Progress {
-    fn new(course: &Course) -> Self {
-        Progress { duration: course.duration, begun: Instant::now(), shown: None, calls: 0 }
-    }
-
-    fn at(&mut self, time: f64) {
-        self.calls = self.calls.wrapping_add(1);
-        // The clock is not asked at every step.
-        if !self.calls.is_multiple_of(256) || self.shown.unwrap_or(self.begun).elapsed() < PATIENCE {
-            return;
-        }
-        self.shown = Some(Instant::now());
-        if stderr().is_terminal() {
-            eprint!(
-                "\r{:3.0} %, {} s of {} s ",
-                100.0 * time / self.duration,
-                short(time),
-                short(self.duration)
-            );
-        }
-    }
-
-    fn end(&self) {
-        if self.shown.is_some() && stderr().is_terminal() {
-            eprint!("\r{:60}\r", "");
-        }
     }
 }
 

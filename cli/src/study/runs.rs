@@ -2,50 +2,13 @@
 
 use super::inputs::Laws;
 use super::methods::{self, AnyEngine, Course, EngineState};
+use super::progress::Progress;
 use super::record::{Column, Trajectory};
 use super::{Failure, start};
 use crate::with_engine;
 use linkwright_engine::Numbers;
 use linkwright_runtime::SettingError;
-use std::io::{IsTerminal, stderr};
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::time::{Duration, Instant};
-
-/// Runs that take longer together say how many are done, on a terminal, so often.
-const PATIENCE: Duration = Duration::from_millis(500);
-
-/// How many runs are done.
-struct Progress {
-    count: usize,
-    done: AtomicUsize,
-    /// When it was last said, at first the beginning; whether it was.
-    said: Mutex<(Instant, bool)>,
-}
-
-impl Progress {
-    fn new(count: usize) -> Self {
-        Progress { count, done: AtomicUsize::new(0), said: Mutex::new((Instant::now(), false)) }
-    }
-
-    fn one_more(&self) {
-        let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
-        // Who finds it locked leaves it to another.
-        if let Ok(mut said) = self.said.try_lock()
-            && said.0.elapsed() >= PATIENCE
-            && stderr().is_terminal()
-        {
-            *said = (Instant::now(), true);
-            eprint!("\r{done} of {} runs ", self.count);
-        }
-    }
-
-    fn end(&self) {
-        if self.said.lock().is_ok_and(|said| said.1) {
-            eprint!("\r{:60}\r", "");
-        }
-    }
-}
 
 /// The engine with these parameters, SI.
 pub fn prepared(engine: &AnyEngine, parameters: &[f64]) -> Result<AnyEngine, String> {
@@ -86,12 +49,12 @@ pub fn on_all_cores<T: Send>(
     count: usize,
     one: &(dyn Fn(&AnyEngine, usize) -> Result<T, String> + Sync),
 ) -> Vec<Result<T, String>> {
-    let (next, progress) = (AtomicUsize::new(0), Progress::new(count));
+    let (next, done, progress) = (AtomicUsize::new(0), AtomicUsize::new(0), Progress::new());
     let cores = std::thread::available_parallelism().map_or(1, usize::from).min(count.max(1));
     let mut found: Vec<(usize, Result<T, String>)> = std::thread::scope(|scope| {
         let threads: Vec<_> = (0..cores)
             .map(|_| {
-                let (engine, next, progress) = (engine.clone(), &next, &progress);
+                let (engine, next, done, progress) = (engine.clone(), &next, &done, &progress);
                 scope.spawn(move || {
                     let mut own = Vec::new();
                     loop {
@@ -100,7 +63,8 @@ pub fn on_all_cores<T: Send>(
                             return own;
                         }
                         own.push((index, one(&engine, index)));
-                        progress.one_more();
+                        let done = done.fetch_add(1, Ordering::Relaxed) + 1;
+                        progress.say(|| format!("{done} of {count} runs"));
                     }
                 })
             })
