@@ -112,7 +112,7 @@ class Model:
             or coupling["kind"] == "teeth"
             and not self.pairs[coupling["name"]].follows
         ]
-        self.free_phases += [load["name"] for load in definition["loads"] if load["kind"] == "mesh"]
+        self.free_phases += [load["name"] for load in definition["loads"] if load["kind"] == "mesh" and not gears.axes_move(load)]
         self.phases = ca.SX.sym("phase", len(self.free_phases))
 
     # The scope of expressions that name nothing that moves.

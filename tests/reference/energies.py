@@ -17,6 +17,7 @@ import cables
 import contacts
 import expressions
 import friction
+import gears
 import hysteresis
 import meshes
 from expressions import evaluate
@@ -295,9 +296,10 @@ class Energies:
             damping = expressions.entry(load["damping"], self.model) if load.get("damping") else ca.SX(0)
             return Load(name, w, ca.SX(0), -damping * w, -stiffness * beyond)
         if kind == "mesh":
-            mesh = meshes.Mesh(load, kinematics)
+            mesh = meshes.mesh(load, kinematics)
             w, efforts = mesh.rates(), mesh.efforts()
-            return Load(name, w, ca.SX.zeros(w.numel()), efforts, ca.SX.zeros(w.numel()), mesh.stored())
+            explicit = ca.substitute(w, kinematics.v, ca.SX.zeros(*kinematics.v.shape)) if gears.axes_move(load) else ca.SX.zeros(w.numel())
+            return Load(name, w, explicit, efforts, ca.SX.zeros(w.numel()), mesh.stored())
         if kind == "bushing":
             deflection, stiffness, damping = self._bushing(load)
             w, explicit = kinematics.rate(deflection), kinematics.explicit_rate(deflection)

@@ -73,6 +73,9 @@ class Pair:
     terms: dict = field(default_factory=dict)  # rotor → factor, in pitches
     travels: dict = field(default_factory=dict)  # joint → factor, in half modules of a rack
     constant: float = 0.0
+    axes: np.ndarray | None = None  # in space: J of the first wheel's axle, in the axes of what holds both
+    beside: float = 0.0  # in space: from the first centre to the second along the axle
+    turns: tuple = ()  # in space: of each wheel, joints with signs about that axle
     follows: bool = False
 
     @property
@@ -92,6 +95,10 @@ def pairs(model):
     written += [part for part in definition["loads"] if part["kind"] == "mesh"]
     found, rows = {}, []
     for part in written:
+        if axes_move(part):
+            first, second = (_toothing(model, part[key]["place"]) for key in ("first", "second"))
+            found[part["name"]] = Pair(part["name"], (first, second), -1 if first.internal or second.internal else 1, None)
+            continue
         pair = _pair(model, part["name"], [_toothing(model, part[key]["place"]) for key in ("first", "second")])
         rows.append(_row(model, pair))
         pair.follows = _rank(rows) < len(rows)
@@ -99,6 +106,10 @@ def pairs(model):
             rows.pop()
         found[pair.name] = pair
     return found
+
+
+def axes_move(load):
+    return bool(load.get("axes")) and load["axes"]["value"].get("name") == "moving"
 
 
 def _toothing(model, path):
@@ -157,14 +168,18 @@ def _pair(model, name, wheels):
         terms, fixed = {}, 0.0
         turns = [_turn(model, wheel.body, carrier) for wheel in wheels]
         axis = next(axis for _, axis in turns if axis is not None)
+        signed = []
         for (own, about), factor in zip(turns, (first.teeth, sense * second.teeth)):
             side = 1 if about is None else round(float(np.dot(axis, about)))
+            signed.append({joint: side * sign for joint, sign in own.items()})
             for joint, sign in own.items():
                 terms[joint] = terms.get(joint, 0) + factor * side * sign
         terms = {joint: factor for joint, factor in terms.items() if factor}
         frame = _numbers(model, axis)
         between = np.array([frame[:, 0] @ across, frame[:, 1] @ across])
     pair = Pair(name, (first, second), sense, np.array(between), terms)
+    if model.kind != "planar":
+        pair.axes, pair.turns, pair.beside = frame, tuple(signed), float(frame[:, 2] @ across)
     pair.constant = _wrapped(_facing(pair) - fixed)
     return pair
 

@@ -188,7 +188,7 @@ class Kinematics:
         raise ValueError(f"{self.model.title}: joint `{owner}` has no `{quantity}`")
 
     def _of_mesh(self, owner, quantity):
-        mesh = meshes.Mesh(next(load for load in self.model.definition["loads"] if load["name"] == owner), self)
+        mesh = meshes.mesh(next(load for load in self.model.definition["loads"] if load["name"] == owner), self)
         return mesh.pairs_in_contact() if quantity == "pairs" else getattr(mesh, quantity)()
 
     def _of_driver(self, index, quantity):

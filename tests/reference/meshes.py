@@ -1,4 +1,8 @@
-"""Loads between teeth: deflection, stiffness and force, from "Teeth" of NOTATION.md. The shape of teeth is evaluated anew."""
+"""Loads between teeth: deflection, stiffness and force, from "Teeth" of NOTATION.md. The shape of teeth is evaluated anew.
+
+Where axes move, how deep teeth are in each other follows from their flanks as curves, and what acts from virtual work alone: no line of action is written
+down. In space the force acts at the pitch point, on both wheels alike.
+"""
 
 import casadi as ca
 import numpy as np
@@ -19,6 +23,12 @@ def inv(angle):
     return np.tan(angle) - angle
 
 
+def mesh(load, kinematics):
+    if gears.axes_move(load):
+        return MovingMesh(load, kinematics)
+    return (Mesh if kinematics.model.kind == "planar" else SpatialMesh)(load, kinematics)
+
+
 class Mesh:
     """One load, at the q and v of some kinematics."""
 
@@ -28,9 +38,13 @@ class Mesh:
         first, second = self.pair.wheels
         self.base = (first.base, second.base)
         self.reach = abs(second.base + self.pair.sense * first.base)
-        self.working = np.arccos(self.reach / self.pair.distance)
+        self.distance = self.axes_apart()
+        self.working = np.arccos(self.reach / self.distance)
         self.pitch = 2 * np.pi * first.base / first.teeth
         self.wheel, self.other = (second, first) if first.internal else (first, second)
+
+    def axes_apart(self):
+        return self.pair.distance
 
     def given(self, key):
         return entry(self.load[key], self.kinematics) if self.load.get(key) else ca.SX(0)
@@ -53,9 +67,7 @@ class Mesh:
 
     def phase_at_rest(self):
         """τ where the wheel's turn against what holds it is zero, and the sense in which it grows."""
-        sense = 1 if not self.load.get("sense") or float(ca.DM(entry(self.load["sense"], self.model))) > 0 else -1
-        if self.pair.wheels[0].internal:
-            sense = -sense
+        sense = -self._sense() if self.pair.wheels[0].internal else self._sense()
         x, y = self.pair.between
         if self.pair.wheels[1].internal:
             x, y = -x, -y
@@ -69,6 +81,9 @@ class Mesh:
             still += sign * angle if root is None else 0.0
         turned = self.wheel.teeth * (still + self.wheel.first - np.arctan2(y, x)) / (2 * np.pi)
         return start + sense * turned, sense
+
+    def _sense(self):
+        return 1 if not self.load.get("sense") or float(ca.DM(entry(self.load["sense"], self.model))) > 0 else -1
 
     def turn(self):
         """(cos, sin) of the wheel's angle against what holds it."""
@@ -133,8 +148,11 @@ class Mesh:
             root, _ = gears._orientation(self.model, wheel.body)
             if root is not None:
                 bodies = [name for name in self.model.bodies if gears._orientation(self.model, name)[0] == root]
-                inverse += wheel.base**2 / sum(float(self.model.at_defaults(self.model.bodies[name].inertia)[0]) for name in bodies)
+                inverse += wheel.base**2 / sum(self._about_axle(self.model.bodies[name]) for name in bodies)
         return float(self.model.at_defaults(2 * ratio * ca.sqrt(mean / inverse))[0]), False
+
+    def _about_axle(self, body):
+        return float(self.model.at_defaults(body.inertia)[0])
 
     def is_elastic(self):
         """Whether it stores energy."""
@@ -194,7 +212,7 @@ class Mesh:
 
     def path(self):
         """Of contact, from the base tangent point of the wheel."""
-        tangent = self.pair.distance * np.sin(self.working)
+        tangent = self.distance * np.sin(self.working)
 
         def reach(toothing):
             return np.sqrt(max(toothing.tip**2 - toothing.base**2, 0))
@@ -212,7 +230,7 @@ class Mesh:
         width = min(widths)
         begin, end = self.path()
         ratio = (end - begin) / self.pitch
-        tangent = self.pair.distance * np.sin(self.working)
+        tangent = self.distance * np.sin(self.working)
 
         def one(along):
             across = tangent + along if self.other.internal else tangent - along
@@ -229,7 +247,194 @@ class Mesh:
                 curve[index] += s * s * (3 - 2 * s) * one(begin + at * self.pitch)
                 at += 1
         spectrum = np.fft.rfft(curve) / POSITIONS
-        return spectrum[0].real, [(2 * spectrum[h].real, -2 * spectrum[h].imag) for h in range(1, harmonics + 1)]
+        waves = [(2 * spectrum[h].real, -2 * spectrum[h].imag) for h in range(1, harmonics + 1)]
+        return spectrum[0].real, [self._across_the_face(h, wave, width) for h, wave in enumerate(waves, 1)]
+
+    def _across_the_face(self, h, wave, width):
+        """The mean of a harmonic over slices from one end of slanted teeth to the other, which the phase of the middle is counted for."""
+        overlap = width * np.sin(abs(self.pair.wheels[0].helix)) / (np.pi * self.pair.wheels[0].module)
+        if overlap == 0:
+            return wave
+        nodes, weights = np.polynomial.legendre.leggauss(60)
+        shifts = np.pi * h * overlap * nodes
+        # a cos(x − s) + b sin(x − s), the parts that are odd in s being none.
+        even = float(np.sum(weights * np.cos(shifts))) / 2
+        return wave[0] * even, wave[1] * even
+
+
+class MovingMesh(Mesh):
+    """Of axes that move: of either side of a tooth, how far the flank of the one wheel is beyond that of the other along their common normal."""
+
+    def axes_apart(self):
+        """Without play: inv α₀ = inv α_t + 2 Σx tan α/Σz, by bisection."""
+        first, second = self.pair.wheels
+        signs = (-1 if first.internal else 1, -1 if second.internal else 1)
+        if self.pair.sense < 0 and first.internal:
+            signs = (1, -1)
+            first, second = second, first
+        teeth = abs(first.teeth + signs[1] * second.teeth)
+        shifts = first.shift + second.shift if self.pair.sense > 0 else second.shift - first.shift
+        wanted = inv(first.transverse_angle) + 2 * shifts * np.tan(first.angle) / teeth
+        low, high = 0.0, 1.5
+        for _ in range(200):
+            middle = (low + high) / 2
+            low, high = (middle, high) if inv(middle) < wanted else (low, middle)
+        return self.reach / np.cos(low)
+
+    def _centres(self):
+        """From the first to the second, of a ring from its centre to the wheel's."""
+        first, second = (self.kinematics.position(wheel.center) for wheel in self.pair.wheels)
+        return first - second if self.pair.wheels[1].internal else second - first
+
+    def _flanks(self):
+        """Both overlaps along the common normal, but for whole pitches, and a."""
+        d = self._centres()
+        square = ca.dot(d, d)
+        apart = square > self.reach**2
+        tangent = ca.if_else(apart, ca.sqrt(ca.if_else(apart, square - self.reach**2, 1)), 0)
+        alpha, psi = ca.atan2(tangent, self.reach), ca.atan2(d[1], d[0])
+        overlaps = []
+        for side in (1, -1):
+            lengths = []
+            for wheel, own in zip(self.pair.wheels, (0, np.pi)):
+                pose = self.kinematics.pose(wheel.body)
+                own = own if self.pair.sense > 0 else 0
+                # A ring's space is shaped like the tooth of a wheel, half a pitch beside its own.
+                middle = ca.atan2(pose.s, pose.c) + wheel.first + (np.pi / wheel.teeth if wheel.internal else 0)
+                half = (np.pi / 2 + 2 * wheel.shift * np.tan(wheel.angle)) / wheel.teeth + inv(wheel.transverse_angle)
+                lengths.append(wheel.base * (side * (middle - psi - own) + half + alpha))
+            if self.pair.sense > 0:
+                overlaps.append(lengths[0] + lengths[1] - tangent)
+            else:
+                inner, ring = lengths if self.pair.wheels[1].internal else reversed(lengths)
+                overlaps.append(inner - ring + tangent)
+        if self.pair.wheels[0].internal:  # ahead is the ring, which presses the other side of the wheel's tooth
+            overlaps.reverse()
+        return overlaps
+
+    def turned(self):
+        """Half of their difference, in the middle of a space where that is none, and what lies between them then."""
+        ahead, behind = self._flanks()
+        x, between = (ahead - behind) / 2, -(ahead + behind) / 2
+        if self.pair.sense > 0:
+            x, between = x + self.pitch / 2, between + self.pitch / 2
+        return x - self.pitch * ca.floor(x / self.pitch + 0.5), between
+
+    def deflection(self):
+        return self.turned()[0] - self.given("error")
+
+    def sides(self):
+        """N of either side, and the rate along which each of them resists."""
+        (x, between), k, (c, _) = self.turned(), self.stiffness(), self.damping()
+        error = self.given("error")
+        error_rate = self.given("error_rate") if self.load.get("error_rate") else self.kinematics.rate(error)
+        forces, rates = [], []
+        for side in (1, -1):
+            deep = side * (x - error) - between - self.given("backlash") / 2
+            rate = self.kinematics.rate(side * x - between)
+            forces.append(ca.if_else(deep > 0, ca.fmax(k * deep + c * (rate - side * error_rate), 0), 0))
+            rates.append(rate)
+        return ca.vertcat(*forces), ca.vertcat(*rates)
+
+    def force(self):
+        forces, _ = self.sides()
+        return forces[0] - forces[1]
+
+    def rates(self):
+        return self.sides()[1]
+
+    def efforts(self):
+        return -self.sides()[0]
+
+    def is_elastic(self):
+        damping, _ = self.damping()
+        return super().is_elastic() and isinstance(damping, ca.SX) and damping.is_zero()
+
+    def stored(self):
+        if not self.is_elastic():
+            return ca.SX(0)
+        x, between = self.turned()
+        within = between + self.given("backlash") / 2
+        return self.stiffness() * (ca.fmax(x - within, 0) ** 2 + ca.fmax(-x - within, 0) ** 2) / 2
+
+    def turn(self):
+        pose, d = self.kinematics.pose(self.wheel.body), self._centres()
+        a = ca.sqrt(ca.dot(d, d))
+        return (pose.c * d[0] + pose.s * d[1]) / a, (pose.s * d[0] - pose.c * d[1]) / a
+
+    def phase_at_rest(self):
+        sense = -self._sense() if self.pair.wheels[0].internal else self._sense()
+        half = (np.pi / 2 + 2 * self.wheel.shift * np.tan(self.wheel.angle)) / self.wheel.teeth
+        half += inv(self.wheel.transverse_angle) - inv(self.working)
+        start = (self.wheel.base * (np.tan(self.working) + half) - self.path()[0]) / self.pitch
+        return start + sense * self.wheel.teeth * self.wheel.first / (2 * np.pi), sense
+
+    def phase(self):
+        start, sense = self.phase_at_rest()
+        c, s = self.turn()
+        tau = start + sense * self.wheel.teeth * ca.atan2(s, c) / (2 * ca.pi)
+        return tau - ca.floor(tau)
+
+
+class SpatialMesh(Mesh):
+    """About parallel axes in space: the angles are those of joints."""
+
+    def _about_axle(self, body):
+        axle = self.pair.axes[:, 2]
+        return float(axle @ self.model.at_defaults(ca.vec(body.inertia)).reshape(3, 3) @ axle)
+
+    def _turns(self):
+        return self.pair.turns[self.pair.wheels.index(self.wheel)].items()
+
+    def phase_at_rest(self):
+        sense = -self._sense() if self.pair.wheels[0].internal else self._sense()
+        x, y = -self.pair.between if self.pair.wheels[1].internal else self.pair.between
+        half = (np.pi / 2 + 2 * self.wheel.shift * np.tan(self.wheel.angle)) / self.wheel.teeth
+        half += inv(self.wheel.transverse_angle) - inv(self.working)
+        start = (self.wheel.base * (np.tan(self.working) + half) - self.path()[0]) / self.pitch
+        return start + sense * self.wheel.teeth * (self.wheel.first - np.arctan2(y, x)) / (2 * np.pi), sense
+
+    def turn(self):
+        # Not brought to length one where bodies are not yet consistent.
+        c, s = ca.SX(1), ca.SX(0)
+        for joint, sign in self._turns():
+            e1, e2 = self.kinematics.frames(self.model.joints[joint])
+            own_c, own_s = ca.dot(e1[:, 0], e2[:, 0]), sign * ca.dot(e1[:, 1], e2[:, 0])
+            c, s = c * own_c - s * own_s, s * own_c + c * own_s
+        return c, s
+
+    def phase(self):
+        start, sense = self.phase_at_rest()
+        total = sum((sign * self.kinematics.multi_turn(joint) for joint, sign in self._turns()), ca.SX(0))
+        tau = start + sense * self.wheel.teeth * total / (2 * ca.pi)
+        return tau - ca.floor(tau)
+
+    def rates(self):
+        """Angular velocities of both wheels, then velocities of both centres, in world axes."""
+        spins = [self.kinematics.spin(wheel.body) for wheel in self.pair.wheels]
+        centers = [self.kinematics.rate(self.kinematics.position(wheel.center)) for wheel in self.pair.wheels]
+        return ca.vertcat(*spins, *centers)
+
+    def efforts(self):
+        """One force at the pitch point, and its opposite."""
+        force, (first, second) = self.force(), self.pair.wheels
+        carrier, _ = gears._carrier(self.model, self.pair.wheels)
+        x, y, axle = (self.kinematics.pose(carrier).turn(ca.DM(self.pair.axes[:, k])) for k in range(3))
+        along = (self.pair.between[0] * x + self.pair.between[1] * y) / self.distance
+        across = ca.cross(axle, along)
+        tangential, radial = force * np.cos(self.working), ca.fabs(force) * np.sin(self.working)
+        if second.internal:
+            pushed = -tangential * across - radial * along
+        elif first.internal:
+            pushed = tangential * across - radial * along
+        else:
+            pushed = tangential * across + radial * along
+        pushed -= force * np.tan(first.helix) * np.cos(first.transverse_angle) * axle
+        # From the first centre it lies towards the second, but a ring is around its wheel.
+        out = -1 if second.internal else 1
+        at_first = out * self.base[0] / np.cos(self.working) * along + self.pair.beside / 2 * axle
+        at_second = at_first - self.distance * along - self.pair.beside * axle
+        return ca.vertcat(ca.cross(at_first, -pushed), ca.cross(at_second, pushed), -pushed, pushed)
 
 
 def _half(toothing, angle):

@@ -123,7 +123,7 @@ fn tips_in_ring(toothings: [&Toothing; 2], mesh: &Mesh, distance: f64) -> Option
 pub fn planets_pass(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
     for (at, one) in mechanism.pairs.iter().enumerate() {
         for other in &mechanism.pairs[..at] {
-            if [one, other].iter().any(|pair| pair.meeting != Meeting::Cylinders) {
+            if [one, other].iter().any(|pair| pair.meeting != Meeting::Cylinders || pair.axes_move) {
                 continue;
             }
             // Around one wheel, held by one carrier: two others at their places.

@@ -342,7 +342,7 @@ impl<'a> Laws<'a> {
             Quantity::DriverEffort(driver) => total(self.totals.efforts.get(driver.0)),
             Quantity::LoadEffort(load) => loads::effort(self, &self.mechanism.loads[load.0]),
             Quantity::OfTeeth(load, part) => {
-                plane::loads::of_teeth(self, &self.mechanism.loads[load.0], *part)
+                loads::teeth::of_teeth(self, &self.mechanism.loads[load.0], *part)
             }
             Quantity::Pressing(load) => friction::pressed(self, &self.mechanism.loads[load.0]),
             Quantity::Sliding { contact, which, axis } => {

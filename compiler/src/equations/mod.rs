@@ -177,6 +177,8 @@ pub struct Equations {
     pub guesses: Vec<(Condition, Node)>,
     /// Of each pair of toothings the sum of angles that says which teeth face which spaces.
     pub teeth: Vec<Condition>,
+    /// Of each of them whose axes move, the distance of its centres.
+    pub distances: Vec<Option<Node>>,
     /// Drivers' quantities and the values of their laws.
     pub driven: Vec<(Condition, Node)>,
 }
@@ -283,6 +285,7 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
     masses.retain(|(_, node)| g.on(*node).class() == Class::Parameter);
     let guesses = conditions::guesses(&laws);
     let teeth = mechanism.pairs.iter().map(|pair| couplings::facing(&laws, pair)).collect();
+    let distances = mechanism.pairs.iter().map(|pair| couplings::distance(&laws, pair)).collect();
     let driven = mechanism
         .drivers
         .iter()
@@ -325,6 +328,7 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
         masses,
         guesses,
         teeth,
+        distances,
         driven,
         tree,
         layout,

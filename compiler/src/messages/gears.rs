@@ -153,10 +153,12 @@ pub(crate) fn two_rings(first: &str, second: &str) -> String {
     )
 }
 
-pub(crate) fn centres_not_held(first: &str, second: &str) -> String {
+/// `gives`: of a load between teeth, whose axes may move.
+pub(crate) fn centres_not_held(first: &str, second: &str, gives: bool) -> String {
+    let moving = if gives { "; of bearings that give write `axes = moving` in the mesh" } else { "" };
     format!(
         "nothing holds the centres of `{first}` and `{second}` at a distance: both must be pinned (`revolute`, `fixed`) to one body or to the \
-         ground, at places that do not move with time"
+         ground, at places that do not move with time{moving}"
     )
 }
 
@@ -194,6 +196,25 @@ pub(crate) fn axes_out_of_the_plane(texts: [&str; 2], words: [&str; 2]) -> Strin
         "`{}` and `{}` turn about axes that are not parallel, and in the plane all are: declare the mechanism `spatial`, or write the ratio, \
          `{word}(a, b, ratio = …)`",
         texts[0], texts[1]
+    )
+}
+
+pub(crate) fn axes_of_what(found: &str) -> String {
+    format!(
+        "the axes of a mesh are `held` by joints or `moving` on bearings that give, found `{found}`: write `axes = moving`, or leave it out"
+    )
+}
+
+pub(crate) fn always_on_moving_axes() -> String {
+    "between teeth that do not touch there is no line of action for damping to act along where axes move: write `damping = 60 [N*s/m]`, which acts in \
+     contact, and give the bearings damping of their own"
+        .to_string()
+}
+
+pub(crate) fn moving_axes_in_space(first: &str, second: &str) -> String {
+    format!(
+        "axes move in the plane, and `{first}` and `{second}` are in space, where they could also tilt: hold both centres by joints, or write `planar` before the \
+         name of the mechanism"
     )
 }
 
@@ -553,6 +574,14 @@ pub(crate) fn sense_of_teeth(found: f64) -> String {
 pub(crate) fn damping_and_ratio() -> String {
     "`damping_ratio` is written beside `damping`, and each of them is the damping: leave one of them out"
         .to_string()
+}
+
+pub(crate) fn ratio_of_changing_stiffness(load: &str, mass: f64, ratio: f64) -> String {
+    format!(
+        "the stiffness of `{load}` changes with what moves, and a damping ratio is that of one stiffness k: write `damping`, which is 2·{}·sqrt(k·{} kg)",
+        number(ratio),
+        number(mass)
+    )
 }
 
 pub(crate) fn backlash_too_wide(load: &str, backlash: f64, most: f64) -> String {

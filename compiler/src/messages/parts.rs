@@ -1,15 +1,7 @@
 //! Texts about bodies, joints and loads, and the rules that they obey.
 
-use super::{closest, not_there_yet, number, other_argument};
+use super::{closest, number, other_argument};
 use crate::forms::{Form, Space};
-
-/// Words of a later version.
-const LOADS_TO_COME: &[&str] = &["mesh"];
-
-/// Whether a word will begin a statement in a later version.
-pub(crate) fn is_to_come(word: &str) -> bool {
-    LOADS_TO_COME.contains(&word)
-}
 
 // ---- Joints, constraints, loads --------------------------------------------------------------------------------------
 
@@ -31,9 +23,6 @@ pub(crate) fn unknown_joint(word: &str, known: &[&Form], in_space: &[&Form], spa
 pub(crate) fn unknown_kind(what: &str, word: &str, known: &[&Form]) -> String {
     if what == "load" && word == "friction" {
         return super::friction_without_joint();
-    }
-    if what == "load" && LOADS_TO_COME.contains(&word) {
-        return not_there_yet(word);
     }
     no_such(what, word, known)
 }

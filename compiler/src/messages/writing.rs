@@ -177,10 +177,6 @@ pub(crate) fn repeat_in_block() -> String {
 
 // ---- Statements ------------------------------------------------------------------------------------------------------
 
-pub(crate) fn not_there_yet(word: &str) -> String {
-    format!("`{word}` is not there yet in this version")
-}
-
 pub(crate) fn unknown_statement<'a>(word: &str, known: impl Iterator<Item = &'a str>) -> String {
     let hint = match (foreign_statement(word), closest(word, known)) {
         (Some(advice), _) => format!("; {advice}"),

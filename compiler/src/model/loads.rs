@@ -193,8 +193,10 @@ impl<'d> Lowering<'d> {
             },
             Value::Exponent => self.exponent(load.named.entry(argument.name)?, argument.name),
             Value::Backbone => self.backbone(load.named.entry(argument.name)?, along?),
+            // It says what the load is, and is no value: read elsewhere.
+            Value::Word => Some(Vec::new()),
             // Of laws of contacts, which are read elsewhere.
-            Value::OfGap | Value::Word => None,
+            Value::OfGap => None,
             Value::TeethStiffness => self.teeth_stiffness(load, argument.name),
             Value::TeethDamping => self.teeth_damping(load, argument.name),
         }

@@ -122,7 +122,6 @@ impl Parser<'_> {
             word if self.laws_of_friction().any(|law| law.call.word == word) => {
                 self.fail(at, messages::law_of_friction_alone(word))
             }
-            word if messages::is_to_come(word) => self.fail(at, messages::not_there_yet(word)),
             word if (self.vocabulary.joints)(Space::Spatial).iter().any(|joint| joint.call.word == word) => {
                 self.fail(at, messages::joint_by_its_kind(word))
             }

@@ -18,12 +18,14 @@ mod impacts;
 mod linkages;
 mod meshes;
 mod parts;
+mod planets;
 mod quick_return;
 mod robots;
 mod rolling;
 mod shafts;
 mod space;
 mod states;
+mod teeth_on_bearings;
 mod vehicles;
 
 use linkwright::{Assemble, Baumgarte, Sample, SimulationError, StateOf};

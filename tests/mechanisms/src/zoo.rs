@@ -205,6 +205,8 @@ macro_rules! for_each_in_zoo {
             terrain: $crate::zoo_laws::Terrain,
             toothed: $crate::zoo_gears::Toothed,
             meshed: $crate::zoo_gears::Meshed,
+            floated: $crate::zoo_gears::Floated,
+            helical: $crate::zoo_gears::Helical,
             epicycle: $crate::zoo_gears::Epicycle,
             racked: $crate::zoo_gears::Racked,
             coned: $crate::zoo_gears::Coned,

@@ -170,3 +170,87 @@ linkwright::mechanism! {
         output turned [rad/s] = large.rate;
     }
 }
+
+linkwright::mechanism! {
+    /// Teeth on axes that move, as large as the places that a state may have: a pinion on a slide and a ring that floats beside a wheel, in both orders; gaps,
+    /// errors, damping, shifts, stiffness that is stored, by a law and by shape, and a wheel that does not turn.
+    pub planar Floated {
+        param gap [mm] = 6 in 0..20;
+        input fault [mm];
+        gravity [m/s^2] = (0, -9.81);
+        body lever { mass [kg] = 2; inertia [kg*m^2] = 0.5; center [m] = (0.1, 0.05); point hub [m] = (0, 0); point pin [m] = (2.6, 0.25); point tie [m] = (1.55, 2.27); }
+        body block { mass [kg] = 1; inertia [kg*m^2] = 0.2; point seat [m] = (0, 0.1); }
+        body pinion { mass [kg] = 3; inertia [kg*m^2] = 0.6; center [m] = (0.1, 0.2); point eye [m] = (0, 0.3);
+                      toothing rim: external(teeth = 20, module [cm] = 10, shift = 0.3, first [deg] = 4, face_width [cm] = 50, at = pinion.eye); }
+        body wheel { mass [kg] = 4; inertia [kg*m^2] = 1.4; toothing rim: external(teeth = 30, module [cm] = 10, first [rad] = 0.2, face_width [cm] = 60); }
+        body ring  { mass [kg] = 5; inertia [kg*m^2] = 9; toothing inside: internal(teeth = 75, module [cm] = 10, shift = 0.2, first [deg] = 3); }
+        body post  { mass [kg] = 1; inertia [kg*m^2] = 1; toothing rim: external(teeth = 25, module [cm] = 10); }
+        joint main:  revolute(ground(0, 0) [m], lever.hub);
+        joint guide: prismatic(lever.hub, block.seat, axis = (1, 0.5));
+        joint bolt:  revolute(block.center, pinion.eye);
+        joint hinge: revolute(lever.pin, wheel.center);
+        joint held:  fixed(ground(0.09, -2.33) [m], post.center, angle [deg] = 7);
+        bushing hung: bushing(lever.tie, ring.center, stiffness [N/m] = 800, damping [N*s/m] = 5, torsional_stiffness [N*m] = 40, torsional_damping [N*m*s] = 1);
+        spring back: spring(lever.hub, block.center, stiffness [N/m] = 900, length [m] = 0.2);
+        mesh shaped: mesh(pinion.rim, wheel.rim, stiffness = involute(young [kPa] = 210, harmonics = 3, entry = 0.1), damping = 3 [N*s/m], backlash = gap,
+                          error = 4e-3 [m]*cos(3*pinion.angle) + fault, error_rate = 0.1 [m/s], axes = moving);
+        mesh stored: mesh(ring.inside, wheel.rim, stiffness [N/m] = 700, backlash [mm] = 10, axes = moving);
+        mesh second: mesh(pinion.rim, ring.inside, stiffness = 300 [N/m]*(1 + 0.2*cos(20*pinion.angle)), damping = 2 [N*s/m], sense = -1, axes = moving);
+        mesh still:  mesh(post.rim, pinion.rim, stiffness = involute(young [kPa] = 150, tooth = section, harmonics = 2), damping_ratio = 0.1, axes = moving);
+        mesh first:  mesh(ring.inside, pinion.rim, stiffness = involute(young [kPa] = 90, harmonics = 2), sense = -1, axes = moving);
+        start { main.angle [rad] = 0.1; main.rate [rad/s] = 0.7; hinge.rate [rad/s] = -0.4; ring.center.x [m] = 1.32; ring.center.y [m] = 2.41; guide.travel [m] = 0.1; }
+        options { emit = (penalty, projection, null_space, tangent); }
+        output pressed [N] = shaped.force;
+        output turned [mm] = stored.deflection;
+        output phase [1] = shaped.phase;
+        output other_phase [1] = first.phase;
+        output pairs [1] = shaped.pairs;
+        output stiff [N/m] = first.stiffness;
+        output lost [W] = power(shaped) + power(second);
+        output all [J] = energy;
+    }
+}
+
+linkwright::mechanism! {
+    /// Teeth that give in space, on an arm with a slanted axle: a sun on an axle turned round, a planet, a ring that comes first and one that comes second, slanted teeth of both
+    /// hands.
+    pub spatial Helical {
+        const TURN [rad] = 0.4;
+        const HELIX [rad] = 0.3;
+        param stiffness [N/m] = 5e3 in 1e3..1e5;
+        input twist [N*m];
+        gravity [m/s^2] = (0, 0, -9.81);
+        body arm { mass [kg] = 3; inertia [kg*m^2] = (0.3, 0.2, 0.4); center [m] = (0.1, 0, 0.05); point hub [m] = (0, 0, 0);
+                   point pin = (90 [cm]*cos(TURN), 72 [cm]*sin(TURN), -54 [cm]*sin(TURN));
+                   point side = (-60 [cm]/cos(HELIX), 3 [cm], 4 [cm]); }
+        #[allow(teeth)]
+        body sun { mass [kg] = 2; inertia [kg*m^2] = (0.2, 0.25, 0.3); products [kg*m^2] = (0.02, -0.01, 0.03);
+                   toothing rim: external(teeth = 24, module [cm] = 5, face_width [cm] = 30);
+                   toothing slant: external(teeth = 14, module [cm] = 5, helix = HELIX, face_width [cm] = 40, first [deg] = 6); }
+        #[allow(teeth)]
+        body planet { mass [kg] = 0.5; inertia [kg*m^2] = (0.02, 0.03, 0.02); center [m] = (0.01, 0.02, 0); point eye [m] = (0, 0, 0);
+                      toothing rim: external(teeth = 12, module [cm] = 5, face_width [cm] = 30, first [deg] = 5, at = planet.eye); }
+        body ring { mass [kg] = 4; inertia [kg*m^2] = (0.8, 0.9, 1); toothing inside: internal(teeth = 48, module [cm] = 5, face_width [cm] = 25, first [rad] = 0.1); }
+        #[allow(teeth)]
+        body last { mass [kg] = 1; inertia [kg*m^2] = (0.05, 0.04, 0.05); toothing rim: external(teeth = 10, module [cm] = 5, helix = -HELIX, face_width [cm] = 45); }
+        joint main: revolute(ground(0, 0, 0) [m], arm.hub, axis = (0.3, -0.2, 1));
+        joint axle: revolute(sun.center, arm.hub, axis = (0, -3, -4));
+        joint bolt: revolute(arm.pin, planet.eye, axis = (0, 3, 4));
+        joint rim:  revolute(arm.hub, ring.center, axis = (0, 3, 4));
+        joint end:  revolute(arm.side, last.center, axis = (0, 6, 8));
+        mesh inner: mesh(sun.rim, planet.rim, stiffness = involute(young [MPa] = 2, tooth = section, harmonics = 3), damping_ratio = 0.1, backlash [mm] = 4);
+        mesh outer: mesh(ring.inside, planet.rim, stiffness = involute(young [MPa] = 1, tooth = section, harmonics = 2), damping = always(20 [N*s/m]), backlash [mm] = 3, sense = -1);
+        mesh again: mesh(planet.rim, ring.inside, stiffness = stiffness, error = 3 [mm]*cos(bolt.angle));
+        mesh slant: mesh(last.rim, sun.slant, stiffness = involute(young [MPa] = 1, harmonics = 3), damping = 9 [N*s/m], backlash [mm] = 2);
+        torque drive: torque(main) = twist;
+        start { main.angle [rad] = 0.4; main.rate [rad/s] = 0.6; axle.rate [rad/s] = -0.8; }
+        options { emit = (penalty, projection, null_space, tangent); }
+        output pressed [N] = inner.force;
+        output along [N] = end.reaction.z;
+        output phase [1] = inner.phase;
+        output other_phase [1] = outer.phase;
+        output pairs [1] = outer.pairs;
+        output stiff [N/m] = slant.stiffness;
+        output lost [W] = power(outer) + power(slant);
+    }
+}

@@ -8,6 +8,7 @@ use super::messages;
 use super::{Attempt, Point, Problem};
 use crate::diagnostics::Diagnostics;
 use crate::equations::{Condition, Equations};
+use crate::model::gears::reach;
 use crate::model::{ConstraintKind, Mechanism};
 use std::f64::consts::TAU;
 
@@ -35,7 +36,9 @@ pub fn meet(
         let meshed = problem.with(teeth);
         let attempt = meshed.solve(point, assembled.q.clone());
         if attempt.closed {
-            return Some(attempts::settle_turns(&meshed, point, attempt));
+            let settled = attempts::settle_turns(&meshed, point, attempt);
+            in_reach(mechanism, problem.equations, point, &settled.q, errors)?;
+            return Some(settled);
         }
     }
     let pair =
@@ -48,7 +51,33 @@ pub fn meet(
     None
 }
 
-/// How far the teeth of a pair are from meeting, in pitches.
+/// Teeth whose axes move reach each other at the start: the tip circles cross, and the base circles do not reach over the centres.
+fn in_reach(
+    mechanism: &Mechanism,
+    equations: &Equations,
+    point: &mut Point,
+    q: &[f64],
+    errors: &mut Diagnostics,
+) -> Option<()> {
+    let mut all = Some(());
+    for (pair, distance) in mechanism.pairs.iter().zip(&equations.distances) {
+        let Some(distance) = *distance else { continue };
+        point.set_q(q);
+        point.evaluate(&super::Ancestry::of(equations, [distance]));
+        let found = point.get(distance);
+        let (toothings, mesh) = mechanism.mesh_of(pair);
+        let [near, far] = reach(toothings);
+        if !(near < found && found < far) {
+            let names = toothings.map(|toothing| toothing.text.as_str());
+            let message = messages::teeth_out_of_reach(names, found, [near, mesh.nominal, far]);
+            errors.error(pair.name.span, message);
+            all = None;
+        }
+    }
+    all
+}
+
+/// How far the teeth of a pair, in pitches.
 fn turns(equations: &Equations, point: &mut Point, q: &[f64], pair: usize, constant: f64) -> f64 {
     let turns = (sum(equations, point, q, pair) - constant) / TAU;
     turns - turns.round()
@@ -63,7 +92,8 @@ fn sum(equations: &Equations, point: &mut Point, q: &[f64], pair: usize) -> f64 
 
 /// Of loads between teeth what their sums of angles are where the teeth meet nearest to the start.
 pub fn phases(mechanism: &Mechanism, equations: &Equations, point: &mut Point, q: &[f64]) -> Vec<f64> {
-    let pairs = mechanism.loads.iter().filter_map(|load| Some(load.teeth.as_ref()?.pair));
+    let counted = mechanism.loads.iter().filter(|load| mechanism.has_phase(load));
+    let pairs = counted.filter_map(|load| Some(load.teeth.as_ref()?.pair));
     pairs
         .map(|pair| {
             let constant = mechanism.pairs[pair].constant;

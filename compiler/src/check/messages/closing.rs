@@ -158,6 +158,19 @@ pub fn cannot_start(searched: usize) -> String {
     )
 }
 
+/// `reach`: the nearest distance, that without play, and the farthest.
+pub fn teeth_out_of_reach([first, second]: [&str; 2], found: f64, reach: [f64; 3]) -> String {
+    let mm = |length: f64| number(1e3 * length);
+    format!(
+        "the teeth of `{first}` and `{second}` do not reach each other at the start, where the centres are {} mm apart: they can touch between {} and {} mm, and \
+         without play at {} mm; state in `start` where the wheels are, or move what holds them",
+        mm(found),
+        mm(reach[0]),
+        mm(reach[2]),
+        mm(reach[1])
+    )
+}
+
 pub fn teeth_do_not_meet(gear: &str, apart: f64) -> String {
     format!(
         "the teeth of `{gear}` do not meet at the start: where `start` puts the wheels they are {} of a pitch apart. Leave one of the wheels out of \

@@ -9,7 +9,7 @@ mod screw;
 mod teeth;
 mod worm;
 
-pub use teeth::facing;
+pub use teeth::{distance, facing};
 
 use super::jet::Moving;
 use super::laws::Laws;
@@ -44,7 +44,7 @@ const LENGTH_PHASE: Argument = Argument::scalar("phase", Need::Never, Dimension:
 /// Couplings whose phase comes from the assembled start, then loads between teeth, by name, in order.
 pub fn open_phases(mechanism: &Mechanism) -> impl Iterator<Item = String> + '_ {
     let open = |constraint: &&Constraint| has_row(mechanism, constraint) && is_open(constraint);
-    let loads = mechanism.loads.iter().filter(|load| load.teeth.is_some());
+    let loads = mechanism.loads.iter().filter(|load| mechanism.has_phase(load));
     let constraints = mechanism.constraints.iter().filter(open).map(|constraint| &constraint.name);
     constraints.chain(loads.map(|load| &load.name)).map(|name| name.identifier())
 }
@@ -53,7 +53,8 @@ pub fn open_phases(mechanism: &Mechanism) -> impl Iterator<Item = String> + '_ {
 pub fn phase_of_load(mechanism: &Mechanism, load: &Load) -> usize {
     let open = |constraint: &&Constraint| has_row(mechanism, constraint) && is_open(constraint);
     let before = mechanism.loads.iter().take_while(|other| other.name.text != load.name.text);
-    mechanism.constraints.iter().filter(open).count() + before.filter(|other| other.teeth.is_some()).count()
+    mechanism.constraints.iter().filter(open).count()
+        + before.filter(|other| mechanism.has_phase(other)).count()
 }
 
 /// Whether a coupling's phase comes from the assembled start.

@@ -8,6 +8,7 @@
 use crate::equations::conditions::Condition;
 use crate::equations::jet::Moving;
 use crate::equations::laws::Laws;
+use crate::equations::plane::MovingAxes;
 use crate::forms::{CouplingForm, Form, Means, Positional, RowForm};
 use crate::model::Coordinate;
 use crate::model::gears::Pair;
@@ -34,15 +35,27 @@ fn sum<'g>(laws: &Laws<'g>, pair: &Pair, over: f64) -> Moving<'g> {
     })
 }
 
+/// How far apart the centres of a pair are whose axes move.
+pub fn distance(laws: &Laws, pair: &Pair) -> Option<Node> {
+    let (_, mesh) = laws.mechanism.mesh_of(pair);
+    pair.axes_move.then(|| MovingAxes::of(laws, pair, &mesh).distance.bare)
+}
+
 /// The sum over z₁, as if it were an angle of the first wheel, less the phase.
 pub fn row<'g>(laws: &Laws<'g>, pair: &Pair, phase: Option<Node>) -> Moving<'g> {
     let phase = phase.map_or_else(|| laws.g.zero(), |phase| laws.g.on(phase));
     sum(laws, pair, pair.scale()) - laws.still(phase)
 }
 
-/// The sum as something that assembly can hold at a value, but for whole pitches.
+/// The sum as something that assembly can hold at a value, but for whole pitches. Where axes move it is that of the angles against their line of centres.
 pub fn facing(laws: &Laws, pair: &Pair) -> Condition {
-    let sum = sum(laws, pair, 1.0);
+    let sum = if pair.axes_move {
+        let (_, mesh) = laws.mechanism.mesh_of(pair);
+        let turned = MovingAxes::of(laws, pair, &mesh).turned;
+        (pair.teeth[0] / mesh.base[0]) * turned + laws.still(laws.g.number(pair.constant))
+    } else {
+        sum(laws, pair, 1.0)
+    };
     let rotor = pair.terms.first().map(|(_, rotor)| *rotor);
     Condition {
         of: format!("the teeth of {}", pair.name.text),

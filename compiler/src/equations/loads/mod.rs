@@ -12,6 +12,7 @@ mod masing;
 mod push;
 mod shaft;
 mod spring;
+pub mod teeth;
 mod torque;
 mod torsion_spring;
 

@@ -8,10 +8,12 @@ mod inertia;
 pub mod joints;
 mod kinematics;
 pub mod loads;
-mod vector;
+mod moving_axes;
+pub mod vector;
 
 pub use coordinates::coordinates;
 pub use kinematics::Kinematics;
+pub use moving_axes::MovingAxes;
 
 use super::{Consequences, Dynamics, Laws, Row, RowOfJoint, SpanningTree};
 use crate::symbolic::{Node, On, Scalar};

@@ -73,9 +73,40 @@ pub fn parallel(a: V3, b: V3) -> Option<f64> {
 
 /// The components of a vector across an axis: along x and y of J(axis), by which angles about it are counted (see NOTATION.md).
 pub fn across(axis: V3, of: V3) -> [f64; 2] {
+    let [x, y, _] = axes(axis);
+    [x, y].map(|along| vector::dot(along, of))
+}
+
+/// J(axis), its columns.
+pub fn axes(axis: V3) -> [V3; 3] {
     let largest = (0..3).fold(0, |best, k| if axis[k].abs() > axis[best].abs() { k } else { best });
     let mut x = [0.0; 3];
     x[(largest + 1) % 3] = 1.0;
     let x = vector::unit(vector::across(x, axis));
-    [x, vector::cross(axis, x)].map(|along| vector::dot(along, of))
+    [x, vector::cross(axis, x), axis]
+}
+
+/// Axes of a place as columns, in the axes of what it belongs to, at the defaults of parameters.
+pub fn columns(mechanism: &Mechanism, of: &Axes) -> Option<[V3; 3]> {
+    match of {
+        Axes::Parallel => Some([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]),
+        Axes::Directed { axis, reference: None } => Some(axes(direction(mechanism, axis)?)),
+        Axes::Directed { axis, reference: Some(reference) } => {
+            let z = direction(mechanism, axis)?;
+            let x = vector::unit(vector::across(direction(mechanism, reference)?, z));
+            Some([x, vector::cross(z, x), z])
+        }
+        Axes::Turned(turns) => {
+            let mut columns = columns(mechanism, &Axes::Parallel)?;
+            for (about, angle) in turns {
+                let angle = fold::evaluate(angle, &mechanism.defaults())?;
+                let (cosine, sine) = (libm::cos(angle), libm::sin(angle));
+                let (i, j) = ((about + 1) % 3, (about + 2) % 3);
+                let (one, other) = (columns[i], columns[j]);
+                columns[i] = vector::along(vector::scaled(cosine, one), sine, other);
+                columns[j] = vector::along(vector::scaled(cosine, other), -sine, one);
+            }
+            Some(columns)
+        }
+    }
 }

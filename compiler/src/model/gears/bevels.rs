@@ -66,7 +66,15 @@ pub fn couple(wheels: &Wheels) -> Result<(f64, Coupled), String> {
     }
     let terms = times(first.teeth, one).chain(times(signs[1] * second.teeth, other));
     let cone = first.pitch_radius() / libm::sin(first.cone);
-    let coupled =
-        Coupled { carrier, between: [cone, 0.0], terms: collected(terms), travels: Vec::new(), constant };
+    let coupled = Coupled {
+        carrier,
+        between: [cone, 0.0],
+        terms: collected(terms),
+        travels: Vec::new(),
+        constant,
+        axes: None,
+        beside: 0.0,
+        turns: [Vec::new(), Vec::new()],
+    };
     Ok((between, coupled))
 }

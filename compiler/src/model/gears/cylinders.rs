@@ -4,21 +4,25 @@
 
 use super::super::{Frame, Rotor, Space};
 use super::holding::Orientations;
-use super::pair::facing;
-use super::{Coupled, Wheels, about_axes, collected, times};
+use super::pair::{facing, nominal};
+use super::{Coupled, Wheels, about_axes, collected, times, vector};
 use crate::messages;
 
 pub fn couple(wheels: &Wheels) -> Result<Coupled, String> {
     let [first, second] = wheels.toothings;
+    if wheels.axes_move {
+        return free(wheels);
+    }
     let (carrier, [from, to]) = wheels.held()?;
     let across = [0, 1, 2].map(|k| to[k] - from[k]);
     let sense = if first.is_internal() || second.is_internal() { -1.0 } else { 1.0 };
-    let (between, terms, fixed) = match wheels.mechanism.space {
+    let (mut turns, mut beside) = ([Vec::new(), Vec::new()], 0.0);
+    let (between, axes, terms, fixed) = match wheels.mechanism.space {
         Space::Planar => {
             let factors = [first.teeth, sense * second.teeth, -(first.teeth + sense * second.teeth)];
             let frames = [wheels.own[0], wheels.own[1], carrier];
             let (terms, fixed) = in_the_plane(wheels.orientations, factors, frames);
-            ([across[0], across[1]], terms, fixed)
+            ([across[0], across[1]], None, terms, fixed)
         }
         Space::Spatial => {
             let [one, other] = wheels.turning(carrier)?;
@@ -30,12 +34,38 @@ pub fn couple(wheels: &Wheels) -> Result<Coupled, String> {
                 (Some(axis), None) | (None, Some(axis)) => (axis, 1.0),
                 (None, None) => return Err(messages::teeth_on_one_shaft(&first.text, &second.text)),
             };
-            let terms = times(first.teeth, one.terms).chain(times(sign * sense * second.teeth, other.terms));
-            (about_axes::across(axis, across), collected(terms), 0.0)
+            turns = [one.terms, times(sign, other.terms).collect()];
+            let terms =
+                times(first.teeth, turns[0].clone()).chain(times(sense * second.teeth, turns[1].clone()));
+            let axes = about_axes::axes(axis);
+            beside = vector::dot(axis, across);
+            ([0, 1].map(|k| vector::dot(axes[k], across)), Some(axes), collected(terms), 0.0)
         }
     };
     let constant = facing(first, second, between) - fixed;
-    Ok(Coupled { carrier, between, terms, travels: Vec::new(), constant })
+    Ok(Coupled { carrier, between, terms, travels: Vec::new(), constant, axes, beside, turns })
+}
+
+/// On axes that move: nothing holds them, and ψ is zero.
+fn free(wheels: &Wheels) -> Result<Coupled, String> {
+    let [first, second] = wheels.toothings;
+    if wheels.mechanism.space == Space::Spatial {
+        return Err(messages::moving_axes_in_space(&first.text, &second.text));
+    }
+    // From the first centre to the second; ψ of a ring goes from its centre to the wheel's.
+    let side = if second.is_internal() { -1.0 } else { 1.0 };
+    let between = [side * nominal(first, second), 0.0];
+    let constant = facing(first, second, [side, 0.0]);
+    Ok(Coupled {
+        carrier: Frame::Ground,
+        between,
+        terms: Vec::new(),
+        travels: Vec::new(),
+        constant,
+        axes: None,
+        beside: 0.0,
+        turns: [Vec::new(), Vec::new()],
+    })
 }
 
 /// Factors and angles of what turns against the ground, and what the others are.

@@ -239,6 +239,8 @@ pub struct Meshing {
     /// What its series is of.
     pub series: Option<Series>,
     pub stores: bool,
+    /// `axes = moving`.
+    pub axes_move: bool,
 }
 
 impl<'d> Lowering<'d> {
@@ -262,7 +264,28 @@ impl<'d> Lowering<'d> {
             Some(call) => Some(self.material(call)?),
             None => None,
         };
-        Some(Some(Meshing { pair: 0, material, series: None, stores: false }))
+        let axes_move = self.axes_move(load)?;
+        Some(Some(Meshing { pair: 0, material, series: None, stores: false, axes_move }))
+    }
+
+    fn axes_move(&mut self, load: &'d syntax::Load) -> Option<bool> {
+        let Some(entry) = load.named.entry("axes") else { return Some(false) };
+        let found = match &entry.value.kind {
+            syntax::TermKind::Name(path) => path.text.as_str(),
+            _ => "a value",
+        };
+        if !["held", "moving"].contains(&found) {
+            self.diagnostics.error(entry.value.region, messages::axes_of_what(found));
+            return None;
+        }
+        let damping = load.named.entry("damping").map(|damping| &damping.value);
+        if let (Some(damping), "moving") = (damping, found)
+            && matches!(&damping.kind, syntax::TermKind::Call(label, _) if label.text == "always")
+        {
+            self.diagnostics.error(damping.region, messages::always_on_moving_axes());
+            return None;
+        }
+        Some(found == "moving")
     }
 
     /// A law; what is made of the shape of teeth follows when their pair is known.

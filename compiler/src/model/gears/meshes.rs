@@ -5,6 +5,7 @@ use super::Toothing;
 use super::holding::Orientations;
 use super::pair::{Meeting, Mesh, Pair};
 use super::stiffness::{self, Material, Series, Stiffness};
+use super::{about_axes, vector};
 use crate::diagnostics::Diagnostics;
 use crate::messages;
 use std::f64::consts::TAU;
@@ -55,8 +56,15 @@ pub fn settle(mechanism: &mut Mechanism, diagnostics: &mut Diagnostics) {
             (number(DAMPING_RATIO), reduced_mass(mechanism, &orientations, pair, &mesh))
         {
             let mean = fold::evaluate(&values[STIFFNESS][0], &mechanism.defaults());
-            if let (true, Some(mean)) = (ratio != 0.0, mean.filter(|mean| *mean >= 0.0)) {
-                values[DAMPING] = vec![Expr::Number(2.0 * ratio * libm::sqrt(mean * mass))];
+            match (ratio != 0.0, mean.filter(|mean| *mean >= 0.0)) {
+                (false, _) => {}
+                (true, Some(mean)) => {
+                    values[DAMPING] = vec![Expr::Number(2.0 * ratio * libm::sqrt(mean * mass))];
+                }
+                (true, None) => {
+                    let message = messages::ratio_of_changing_stiffness(&load.name.text, mass, ratio);
+                    diagnostics.error(load.name.span, message);
+                }
             }
         }
         let without = |which: usize| matches!(values[which][..], [Expr::Number(0.0)]);
@@ -64,7 +72,7 @@ pub fn settle(mechanism: &mut Mechanism, diagnostics: &mut Diagnostics) {
         let stores = values[STIFFNESS].len() == 1
             && !values[STIFFNESS][0].varies()
             && without(ERROR)
-            && (without(BACKLASH) || always || without(DAMPING));
+            && (without(BACKLASH) && !teeth.axes_move || always || without(DAMPING));
         let load = &mut mechanism.loads[at];
         load.values = values;
         if let Some(teeth) = &mut load.teeth {
@@ -118,6 +126,19 @@ fn in_angle(series: &Series, [start, sense]: [f64; 2]) -> Vec<Expr> {
     std::iter::once(series.mean).chain(waves).map(Expr::Number).collect()
 }
 
+/// I of a body about its axle, or out of the plane.
+fn about(mechanism: &Mechanism, pair: &Pair, body: usize) -> Option<f64> {
+    let inertia = &mechanism.bodies[body].inertia;
+    let value = |expr: &Expr| fold::evaluate(expr, &mechanism.defaults());
+    let Some([_, _, axis]) = pair.axes else { return value(&inertia.moments[2]) };
+    let axes = about_axes::columns(mechanism, &inertia.axes)?;
+    // In the axes that the moments are of.
+    let [x, y, z] = axes.map(|column| vector::dot(column, axis));
+    let [moments, products] = [&inertia.moments, &inertia.products].map(|of| of.each_ref().map(value));
+    let ([a, b, c], [ab, ac, bc]) = (moments, products);
+    Some(a? * x * x + b? * y * y + c? * z * z + 2.0 * (ab? * x * y + ac? * x * z + bc? * y * z))
+}
+
 /// m_e = 1/(r_b1²/I₁ + r_b2²/I₂), I of what turns with each wheel.
 pub fn reduced_mass(
     mechanism: &Mechanism,
@@ -133,8 +154,7 @@ pub fn reduced_mass(
         }
         let together = (0..mechanism.bodies.len())
             .filter(|body| orientations.class(Frame::Body(BodyId(*body))).0 == class);
-        let moments = together
-            .map(|body| fold::evaluate(&mechanism.bodies[body].inertia.moments[2], &mechanism.defaults()));
+        let moments = together.map(|body| about(mechanism, pair, body));
         let inertia: f64 = moments.collect::<Option<Vec<f64>>>()?.into_iter().sum();
         inverse += radius * radius / inertia;
     }

@@ -18,11 +18,11 @@ mod vector;
 mod worms;
 
 pub use lowering::Meshing;
-pub use pair::{Meeting, Mesh, Pair};
+pub use pair::{Meeting, Mesh, Pair, reach};
 pub use told::Told;
 pub use toothing::{Toothing, ToothingId, involute};
 
-use super::{ConstraintKind, Frame, JointId, Mechanism, Name, Rotor, Space, Subject};
+use super::{ConstraintKind, Frame, JointId, Load, Mechanism, Name, Rotor, Space, Subject};
 use crate::diagnostics::Diagnostics;
 use crate::forms::Rim;
 use crate::messages;
@@ -37,6 +37,11 @@ impl Mechanism {
         &self.bodies[id.body.0].toothings[id.index]
     }
 
+    /// Whether a load is one between teeth whose angles are counted: on axes that move there is a pitch and no turn.
+    pub fn has_phase(&self, load: &Load) -> bool {
+        load.teeth.as_ref().is_some_and(|teeth| !self.pairs[teeth.pair].axes_move)
+    }
+
     /// The toothings of a pair, and what follows from their distance.
     pub fn mesh_of(&self, pair: &Pair) -> ([&Toothing; 2], Mesh) {
         let toothings = pair.on.map(|id| self.toothing(id));
@@ -46,18 +51,19 @@ impl Mechanism {
 
 /// Finds the pairs of a mechanism, and of each constraint and load the number of its own.
 pub(super) fn settle(mechanism: &mut Mechanism, diagnostics: &mut Diagnostics) {
-    let mut meshing: Vec<(Name, [ToothingId; 2])> = Vec::new();
+    let mut meshing: Vec<Wanted> = Vec::new();
     for constraint in &mut mechanism.constraints {
         if let ConstraintKind::Teeth { on, pair, .. } = &mut constraint.kind {
             *pair = meshing.len();
-            meshing.push((constraint.name.clone(), *on));
+            meshing.push(Wanted { name: constraint.name.clone(), on: *on, gives: false, axes_move: false });
         }
     }
     for load in &mut mechanism.loads {
         let ids: Vec<ToothingId> = load.on.iter().filter_map(toothing_of).collect();
         if let (Some(teeth), [first, second]) = (&mut load.teeth, &ids[..]) {
             teeth.pair = meshing.len();
-            meshing.push((load.name.clone(), [*first, *second]));
+            let on = [*first, *second];
+            meshing.push(Wanted { name: load.name.clone(), on, gives: true, axes_move: teeth.axes_move });
         }
     }
     if meshing.is_empty() {
@@ -65,10 +71,10 @@ pub(super) fn settle(mechanism: &mut Mechanism, diagnostics: &mut Diagnostics) {
     }
     let orientations = Orientations::of(mechanism);
     let mut pairs = Vec::new();
-    for (name, on) in meshing {
-        match pair(mechanism, &orientations, name.clone(), on) {
+    for wanted in meshing {
+        match pair(mechanism, &orientations, &wanted) {
             Ok(pair) => pairs.push(pair),
-            Err(message) => diagnostics.error(name.span, message),
+            Err(message) => diagnostics.error(wanted.name.span, message),
         }
     }
     if !diagnostics.is_empty() {
@@ -80,7 +86,8 @@ pub(super) fn settle(mechanism: &mut Mechanism, diagnostics: &mut Diagnostics) {
             modules.push(module);
         }
     }
-    let rows: Vec<Row> = pairs.iter().map(|pair| row(mechanism, &orientations, pair, &modules)).collect();
+    let rows = pairs.iter().enumerate();
+    let rows: Vec<Row> = rows.map(|(at, pair)| row(mechanism, &orientations, (at, pair), &modules)).collect();
     for (at, follows) in follow(&rows).into_iter().enumerate() {
         let Some(follows) = follows else { continue };
         if follows.apart != 0.0 {
@@ -101,12 +108,17 @@ fn toothing_of(subject: &Subject) -> Option<ToothingId> {
     }
 }
 
-fn pair(
-    mechanism: &Mechanism,
-    orientations: &Orientations,
+/// A pair to be made: of a constraint, or of a load, whose teeth give.
+struct Wanted {
     name: Name,
     on: [ToothingId; 2],
-) -> Result<Pair, String> {
+    gives: bool,
+    axes_move: bool,
+}
+
+fn pair(mechanism: &Mechanism, orientations: &Orientations, wanted: &Wanted) -> Result<Pair, String> {
+    let Wanted { name, on, gives, axes_move } = wanted;
+    let (on, axes_move) = (*on, *axes_move);
     let toothings = on.map(|id| mechanism.toothing(id));
     let [first, second] = toothings;
     let own = on.map(|id| Frame::Body(id.body));
@@ -116,7 +128,7 @@ fn pair(
             return Err(messages::teeth_on_one_shaft(&first.text, &second.text));
         }
     }
-    let wheels = Wheels { mechanism, orientations, own, toothings };
+    let wheels = Wheels { mechanism, orientations, own, toothings, gives: *gives, axes_move };
     let (meeting, found) = match toothings.map(|toothing| toothing.form.rim) {
         [Rim::Internal, Rim::Internal] => return Err(messages::two_rings(&first.text, &second.text)),
         [Rim::External | Rim::Internal, Rim::External | Rim::Internal] => {
@@ -138,21 +150,24 @@ fn pair(
     };
     let wheel = usize::from(matches!(first.form.rim, Rim::Internal | Rim::Rack | Rim::Worm));
     let (turns, still) = match mechanism.space {
+        Space::Planar if axes_move => (Vec::new(), 0.0),
+        Space::Spatial => (found.turns[wheel].clone(), 0.0),
         Space::Planar => cylinders::in_the_plane(
             orientations,
             [1.0, -1.0, 0.0],
             [own[wheel], found.carrier, Frame::Ground],
         ),
-        // No load between teeth is in space.
-        Space::Spatial => (Vec::new(), 0.0),
     };
     Ok(Pair {
-        name,
+        name: name.clone(),
         on,
+        axes_move,
         meeting,
         teeth: toothings.map(|toothing| toothing.teeth),
         carrier: found.carrier,
         between: found.between,
+        axes: found.axes,
+        beside: found.beside,
         terms: found.terms,
         travels: found.travels,
         constant: pair::remainder(found.constant),
@@ -169,6 +184,8 @@ struct Wheels<'m> {
     orientations: &'m Orientations,
     own: [Frame; 2],
     toothings: [&'m Toothing; 2],
+    gives: bool,
+    axes_move: bool,
 }
 
 /// A sum of angles of joints, and the axis of these.
@@ -181,6 +198,10 @@ struct Coupled {
     terms: Vec<(f64, Rotor)>,
     travels: Vec<(f64, JointId)>,
     constant: f64,
+    /// Of parallel axes in space: see `Pair::axes`, and by which angles each wheel turns about the last of them.
+    axes: Option<[V3; 3]>,
+    beside: f64,
+    turns: [Vec<(f64, Rotor)>; 2],
 }
 
 impl Wheels<'_> {
@@ -203,7 +224,7 @@ impl Wheels<'_> {
     fn held(&self) -> Result<(Frame, [V3; 2]), String> {
         let [first, second] = self.toothings;
         let held = holding::carrier(self.mechanism, [&first.center, &second.center], self.own);
-        held.ok_or_else(|| messages::centres_not_held(&first.text, &second.text))
+        held.ok_or_else(|| messages::centres_not_held(&first.text, &second.text, self.gives))
     }
 
     /// In space: by which joints each turns against what holds both.
@@ -243,10 +264,18 @@ fn times(factor: f64, terms: Vec<(f64, Rotor)>) -> impl Iterator<Item = (f64, Ro
     terms.into_iter().map(move |(own, rotor)| (factor * own, rotor))
 }
 
-/// Wheels that turn together count as one.
-fn row(mechanism: &Mechanism, orientations: &Orientations, pair: &Pair, modules: &[f64]) -> Row {
+/// Wheels that turn together count as one. Nothing fixes a pair whose axes move: it counts by itself.
+fn row(
+    mechanism: &Mechanism,
+    orientations: &Orientations,
+    (at, pair): (usize, &Pair),
+    modules: &[f64],
+) -> Row {
     let mut factors: BTreeMap<usize, i64> = BTreeMap::new();
     let mut constant = pair.constant;
+    if pair.axes_move {
+        factors.insert(usize::MAX - at, 1);
+    }
     for (factor, rotor) in &pair.terms {
         let key = match rotor {
             Rotor::Body(body) => {

@@ -22,6 +22,8 @@ pub struct Pair {
     pub name: Name,
     pub on: [ToothingId; 2],
     pub meeting: Meeting,
+    /// Whether nothing holds the centres, of a load: then those are as far apart as teeth without play ask for, along x, and there are no terms.
+    pub axes_move: bool,
     /// Numbers of teeth.
     pub teeth: [f64; 2],
     /// What holds both centres.
@@ -29,6 +31,10 @@ pub struct Pair {
     /// From the first centre to the second one, in the axes of the carrier, m. Of a rack and a worm as far as its line or axis, of cones as long
     /// as these, along x.
     pub between: [f64; 2],
+    /// Of parallel axes in space: x and y that `between` counts along, and z along the first wheel's axle, in the axes of the carrier.
+    pub axes: Option<[[f64; 3]; 3]>,
+    /// And how far the second centre is from the first along the last of them.
+    pub beside: f64,
     /// Σ factor · angle + Σ factor · travel = constant + 2πk, in radians of a pitch: those of the wheels against the carrier.
     pub terms: Vec<(f64, Rotor)>,
     pub travels: Vec<(f64, JointId)>,
@@ -170,6 +176,24 @@ fn mesh(first: &Toothing, second: &Toothing, distance: f64) -> Mesh {
         path,
         overlap: width * libm::sin(first.helix.abs()) / (PI * first.module),
         clamped,
+    }
+}
+
+/// The distance at which the flanks of two cylindrical toothings touch on both sides without play.
+pub fn nominal(first: &Toothing, second: &Toothing) -> f64 {
+    mesh(first, second, f64::NAN).nominal
+}
+
+/// Between which distances of their centres the flanks of two cylindrical toothings can touch: the base circles leave a line of action, and the tip circles
+/// cross.
+pub fn reach([first, second]: [&Toothing; 2]) -> [f64; 2] {
+    let (a, b) = (first.base_radius(), second.base_radius());
+    let tips = [first.tip_radius(), second.tip_radius()];
+    match (first.is_internal(), second.is_internal()) {
+        (false, false) => [a + b, tips[0] + tips[1]],
+        // The wheel leaves the teeth of its ring towards the middle, and reaches into its body where it goes out.
+        (true, _) => [(a - b).max(tips[0] - tips[1]), first.root_radius() - tips[1]],
+        (_, true) => [(b - a).max(tips[1] - tips[0]), second.root_radius() - tips[0]],
     }
 }
 

@@ -59,7 +59,16 @@ pub fn couple(wheels: &Wheels, pinion: usize) -> Result<Coupled, String> {
     let constant = PI + wheel.teeth * (psi - wheel.first - fixed) - in_modules * dot(way, line);
     let travels = vec![(-in_modules * dot(travel.1, line).signum(), travel.0)];
     let between = [distance, 0.0];
-    Ok(Coupled { carrier, between, terms: collected(times(wheel.teeth, terms)), travels, constant })
+    Ok(Coupled {
+        carrier,
+        between,
+        terms: collected(times(wheel.teeth, terms)),
+        travels,
+        constant,
+        axes: None,
+        beside: 0.0,
+        turns: [Vec::new(), Vec::new()],
+    })
 }
 
 /// Where a pinion and its rack stand, in the axes of what holds the pinion.

@@ -12,6 +12,8 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Positions over a pitch at which the stiffness is found.
 const POSITIONS: usize = 256;
+/// Across a slanted face, of what is shown; the series has their mean in closed form.
+const SLICES: usize = 64;
 
 /// What `involute(…)` says.
 #[derive(Clone, Copy, Debug)]
@@ -244,8 +246,18 @@ impl<'t> Stiffness<'t> {
         1.0 / (self.wheel.compliance(along) + self.other.compliance(across) + self.contact)
     }
 
-    /// Of all pairs, τ pitches after one has begun to touch.
+    /// Of all pairs, τ pitches after one has begun to touch, in the middle of the face: slanted teeth are thin straight ones side by side, each a little later
+    /// than the one before it, by ε_β over the face.
     pub fn at(&self, phase: f64) -> f64 {
+        if self.mesh.overlap == 0.0 {
+            return self.of_slice(phase);
+        }
+        let slices = (0..SLICES).map(|slice| (slice as f64 + 0.5) / SLICES as f64 - 0.5);
+        slices.map(|at| self.of_slice(phase - at * self.mesh.overlap)).sum::<f64>() / SLICES as f64
+    }
+
+    /// Of straight teeth as wide as the face.
+    fn of_slice(&self, phase: f64) -> f64 {
         let (begin, ratio) = (self.mesh.path[0], self.mesh.contact_ratio);
         let along = |at: f64| begin + at * self.mesh.base_pitch;
         touching(phase, ratio).map(|at| self.share(at, ratio) * self.of_one(along(at))).sum()
@@ -268,7 +280,7 @@ impl<'t> Stiffness<'t> {
     /// Its series over a pitch.
     pub fn series(&self, harmonics: usize) -> Series {
         let positions = POSITIONS as f64;
-        let curve: Vec<f64> = (0..POSITIONS).map(|at| self.at(at as f64 / positions)).collect();
+        let curve: Vec<f64> = (0..POSITIONS).map(|at| self.of_slice(at as f64 / positions)).collect();
         let mean = curve.iter().sum::<f64>() / positions;
         let turns: Vec<[f64; 2]> = (0..POSITIONS)
             .map(|at| TAU * at as f64 / positions)
@@ -281,7 +293,17 @@ impl<'t> Stiffness<'t> {
             });
             sums.map(|sum| 2.0 * sum / positions)
         };
-        let waves: Vec<[f64; 2]> = (1..=harmonics).map(wave).collect();
+        // The mean of cos 2πh(τ − s) over the face is sin(πhε)/(πhε) cos 2πhτ.
+        let averaged = |h: usize| {
+            let angle = PI * h as f64 * self.mesh.overlap;
+            let part = if angle == 0.0 { 1.0 } else { libm::sin(angle) / angle };
+            wave(h).map(|wave| part * wave)
+        };
+        let waves: Vec<[f64; 2]> = (1..=harmonics).map(averaged).collect();
+        let curve: Vec<f64> = match self.mesh.overlap {
+            0.0 => curve,
+            _ => (0..POSITIONS).map(|at| self.at(at as f64 / positions)).collect(),
+        };
         let left = curve.iter().enumerate().map(|(at, k)| {
             let series = waves.iter().enumerate().map(|(h, [a, b])| {
                 let [c, s] = turns[at * (h + 1) % POSITIONS];
@@ -291,7 +313,12 @@ impl<'t> Stiffness<'t> {
         });
         let left_out = libm::sqrt(left.sum::<f64>() / positions) / mean;
         let [begin, end] = self.mesh.path;
-        let step = if self.entry == 0.0 { self.of_one(begin).max(self.of_one(end)) / mean } else { 0.0 };
+        // Slanted teeth enter bit by bit.
+        let step = if self.entry == 0.0 && self.mesh.overlap == 0.0 {
+            self.of_one(begin).max(self.of_one(end)) / mean
+        } else {
+            0.0
+        };
         Series { mean, waves, left_out, step }
     }
 }

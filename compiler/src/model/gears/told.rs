@@ -101,6 +101,9 @@ fn axes([first, second]: [&Toothing; 2], pair: &Pair, mesh: &Mesh) -> String {
     let apart = coordinate(1e3 * pair.distance(), 6);
     let working = coordinate(mesh.working_angle.map_or(0.0, f64::to_degrees), 5);
     match pair.meeting {
+        Meeting::Cylinders if pair.axes_move => {
+            format!("axes that move, {apart} mm apart without play, at {working} deg")
+        }
         Meeting::Cylinders => format!("axes {apart} mm apart at {working} deg"),
         Meeting::Rack => format!("axis {apart} mm from the line at {working} deg"),
         Meeting::Cones(between) => {

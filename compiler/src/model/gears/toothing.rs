@@ -78,6 +78,11 @@ impl Toothing {
         libm::atan(libm::tan(self.pressure_angle) / libm::cos(self.helix))
     }
 
+    /// β_b, tan β_b = tan β cos α_t.
+    pub fn base_helix(&self) -> f64 {
+        libm::atan(libm::tan(self.helix) * libm::cos(self.transverse_angle()))
+    }
+
     pub fn pitch_radius(&self) -> f64 {
         0.5 * self.transverse_module() * self.teeth
     }

@@ -57,5 +57,14 @@ pub fn couple(wheels: &Wheels, worm: usize) -> Result<Coupled, String> {
     let shifted = PI - 2.0 * dot(way, a) / screw.module;
     let constant = first * shifted + factors[0] * turned + factors[1] * opposite;
     let terms = times(factors[0], of_screw).chain(times(factors[1], of_wheel));
-    Ok(Coupled { carrier, between: [distance, 0.0], terms: collected(terms), travels: Vec::new(), constant })
+    Ok(Coupled {
+        carrier,
+        between: [distance, 0.0],
+        terms: collected(terms),
+        travels: Vec::new(),
+        constant,
+        axes: None,
+        beside: 0.0,
+        turns: [Vec::new(), Vec::new()],
+    })
 }

@@ -3,8 +3,6 @@
 mod bushing;
 mod mesh;
 
-pub use mesh::of_teeth;
-
 use crate::equations::loads::LoadKind;
 
 pub static LOADS: &[&LoadKind] = &[&bushing::LOAD, &mesh::LOAD];

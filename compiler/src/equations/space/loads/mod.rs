@@ -2,7 +2,8 @@
 
 mod body_torque;
 mod bushing;
+mod mesh;
 
 use crate::equations::loads::LoadKind;
 
-pub static LOADS: &[&LoadKind] = &[&body_torque::LOAD, &bushing::LOAD];
+pub static LOADS: &[&LoadKind] = &[&body_torque::LOAD, &bushing::LOAD, &mesh::LOAD];
