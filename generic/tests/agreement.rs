@@ -18,7 +18,9 @@ const TOLERANCE: f64 = 1e-8;
 const REFUSED: &[(&str, &str)] = &[
     ("ball_between_walls", RIGID),
     ("dropping", RIGID),
+    ("floated", "a mesh on axes that move"),
     ("hammer_at_rigid_wall", RIGID),
+    ("helical", "a mesh in space"),
     ("rimless_wheel", RIGID),
     ("slider_crank_on_stop", RIGID),
     ("striking", RIGID),

@@ -61,6 +61,9 @@ fn apart(mechanism: &Mechanism, pair: &Pair) -> Option<String> {
     let (found, names) = (pair.distance(), [first.text.as_str(), second.text.as_str()]);
     let is_wrong = mesh.nominal.is_nan() || (found - mesh.nominal).abs() > DISTANCE * mesh.nominal;
     match pair.meeting {
+        Meeting::Cylinders if mesh.nominal.is_nan() => {
+            return Some(messages::no_distance(names, least_shifts([first, second])));
+        }
         Meeting::Cylinders if is_wrong => {
             let shift = mesh.working_angle.map(|working| shifts([first, second], working));
             return Some(messages::wrong_distance(names[0], names[1], found, mesh.nominal, shift));
@@ -84,6 +87,11 @@ fn apart(mechanism: &Mechanism, pair: &Pair) -> Option<String> {
         return Some(messages::tips_collide([&wheel.text, &ring.text], [wheel.teeth, ring.teeth], overlap));
     }
     None
+}
+
+/// What the shifts must add up to at least, so that teeth without play touch somewhere: there α_w is zero.
+fn least_shifts(toothings: [&Toothing; 2]) -> f64 {
+    shifts(toothings, 0.0)
 }
 
 /// What the shifts add up to (of a ring: that of the ring less that of the wheel) where teeth without play have this working angle.

@@ -438,6 +438,14 @@ pub(crate) fn wrong_distance(
     )
 }
 
+pub(crate) fn no_distance([first, second]: [&str; 2], least: f64) -> String {
+    format!(
+        "the shifts make the teeth of `{first}` and `{second}` so thin that they do not touch on both sides at any distance: write shifts that add up to {} or more \
+         (of a ring its own less that of its wheel)",
+        exact(least)
+    )
+}
+
 pub(crate) fn teeth_lose_contact(first: &str, second: &str, ratio: f64) -> String {
     format!(
         "the contact ratio of `{first}` and `{second}` is {}: below 1 there are positions where no teeth touch. Write more teeth or a larger addendum",

@@ -127,6 +127,7 @@ const TEMPLATES: [&str; 43] = [
     "constraint new : gear ( J , B , ratio = # ) ;",
     "gear new : gear ( B . rim , B . rim ) ;",
     "mesh new : mesh ( B . rim , B . rim , stiffness [ N / m ] = X , backlash [ m ] = # ) ;",
+    "mesh new : mesh ( B . rim , B . rim , stiffness [ N / m ] = X , axes = moving ) ;",
     "shaft new : shaft ( J , B , ratio = # , stiffness [ N * m ] = # ) ;",
     "constraint new : rack ( J , J , radius [ m ] = # , phase = 0 ) ;",
     "differential new : differential ( J , B , J ) ;",

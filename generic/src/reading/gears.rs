@@ -125,6 +125,10 @@ impl Reader<'_> {
         let (mut found, mut rows) = (Vec::new(), Vec::new());
         for node in of("constraints", "teeth")?.into_iter().chain(of("loads", "mesh")?) {
             let own = name(node, "teeth")?;
+            let axes = optional(node, "axes").and_then(|axes| axes.get("value")?.get("name")?.as_str());
+            if axes == Some("moving") {
+                return Err(DefinitionError::not_there_yet(own, "a mesh on axes that move"));
+            }
             let wheels = [self.toothing(node, "first", own)?, self.toothing(node, "second", own)?];
             let mut pair = self.pair(wheels, own)?;
             rows.push(self.independent(&pair));

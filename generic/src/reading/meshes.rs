@@ -152,7 +152,15 @@ impl Reader<'_> {
             }
             sums
         };
-        Ok((mean, (1..=harmonics).map(wave).collect()))
+        // Slanted teeth: the mean over the face, from one end to the other of which they come later by so many pitches.
+        let first = &shape.pair.wheels[0];
+        let overlap = material.width * first.helix.abs().sin() / (PI * first.module);
+        let over_the_face = |h: usize| {
+            let angle = PI * h as f64 * overlap;
+            let part = if angle == 0.0 { 1.0 } else { angle.sin() / angle };
+            wave(h).map(|wave| part * wave)
+        };
+        Ok((mean, (1..=harmonics).map(over_the_face).collect()))
     }
 }
 

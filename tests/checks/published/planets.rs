@@ -54,7 +54,7 @@ linkwright::mechanism! {
 const COUNT: usize = 7;
 type Matrix = [[f64; COUNT]; COUNT];
 /// Coordinates: absolute angles of the planets, carrier, sun, input, output.
-const NAMES: [&str; COUNT] = ["bolt1", "bolt2", "bolt3", "main", "axle", "front", "back"];
+const NAMES: [&str; COUNT] = ["first", "second", "third", "carrier", "sun", "driver", "driven"];
 /// Where the planets stand, of 84 places.
 const PLACES: [f64; 3] = [0.0, 29.0, 55.0];
 /// τ of the first planet where a tooth of the sun and one of the ring are on the line of centres.
@@ -131,21 +131,15 @@ fn stiffness_of(
         let own = |known: &&str| known.strip_suffix(".rate") == Some(name);
         names.iter().position(|known| own(&known)).unwrap_or_else(|| panic!("{name} of {names:?}"))
     });
-    // The joints of the planets turn against the carrier.
-    let relative = |mut absolute: [f64; COUNT]| {
-        (0..3).for_each(|planet| absolute[planet] -= absolute[3]);
-        absolute
-    };
     let accelerations = |theta: [f64; COUNT]| {
         let (mut state, mut delta) = (*at, at.v);
-        for (k, value) in relative(theta).into_iter().enumerate() {
+        for (k, value) in theta.into_iter().enumerate() {
             delta[index[k]] = value;
         }
         retract(model.layout(), &at.q, &delta, &mut state.q);
         let (mut a, mut lambda) = (at.v, Default::default());
         model.acceleration(0.0, &state, &(), &mut a, &mut lambda);
-        let own = index.map(|k| a[k]);
-        core::array::from_fn::<f64, COUNT, _>(|k| if k < 3 { own[k] + own[3] } else { own[k] })
+        index.map(|k| a[k])
     };
     let h = 1e-6;
     let mut found = [[0.0; COUNT]; COUNT];
@@ -178,10 +172,10 @@ fn three_planets_by_hand() {
         let carrier = TAU * pitch / 72.0;
         let mut state = StageOfThree::START;
         let mut delta = state.v;
-        for (name, turn) in NAMES.into_iter().zip([-2.4, -2.4, -2.4, 1.0, 7.0, 7.0, 1.0]) {
+        for (name, turn) in NAMES.into_iter().zip([-1.4, -1.4, -1.4, 1.0, 7.0, 7.0, 1.0]) {
             let at =
                 model.velocity_names().iter().position(|known| known.strip_suffix(".rate") == Some(name));
-            delta[at.expect("a joint")] = turn * carrier;
+            delta[at.expect("a body")] = turn * carrier;
         }
         retract(model.layout(), &StageOfThree::START.q, &delta, &mut state.q);
         let phases: [[f64; 3]; 2] = [

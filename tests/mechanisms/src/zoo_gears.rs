@@ -238,9 +238,13 @@ linkwright::mechanism! {
         joint bolt: revolute(arm.pin, planet.eye, axis = (0, 3, 4));
         joint rim:  revolute(arm.hub, ring.center, axis = (0, 3, 4));
         joint end:  revolute(arm.side, last.center, axis = (0, 6, 8));
+        #[allow(teeth)]
         mesh inner: mesh(sun.rim, planet.rim, stiffness = involute(young [MPa] = 2, tooth = section, harmonics = 3), damping_ratio = 0.1, backlash [mm] = 4);
+        #[allow(teeth)]
         mesh outer: mesh(ring.inside, planet.rim, stiffness = involute(young [MPa] = 1, tooth = section, harmonics = 2), damping = always(20 [N*s/m]), backlash [mm] = 3, sense = -1);
+        #[allow(teeth)]
         mesh again: mesh(planet.rim, ring.inside, stiffness = stiffness, error = 3 [mm]*cos(bolt.angle));
+        #[allow(teeth)]
         mesh slant: mesh(last.rim, sun.slant, stiffness = involute(young [MPa] = 1, harmonics = 3), damping = 9 [N*s/m], backlash [mm] = 2);
         torque drive: torque(main) = twist;
         start { main.angle [rad] = 0.4; main.rate [rad/s] = 0.6; axle.rate [rad/s] = -0.8; }

@@ -46,7 +46,7 @@ fn terms<'g>(laws: &Laws<'g>, load: &Load) -> LoadTerms<'g> {
     let (apart, axle) = (world(apart), world(axle));
     let mut pushed = tangential * world(across) + radial * apart;
     if first.helix != 0.0 {
-        pushed = pushed + (-libm::tan(first.base_helix()) * force) * axle;
+        pushed += (-libm::tan(first.base_helix()) * force) * axle;
     }
     // From each centre to the pitch point, which is on the line of centres and along the axles in their middle: a ring is around its wheel.
     let near = if ring_is_second { -mesh.base[0] } else { mesh.base[0] } / cosine;
