@@ -129,7 +129,7 @@ fn stiffness_of(
     let names = model.velocity_names();
     let index = NAMES.map(|name| {
         let own = |known: &&str| known.strip_suffix(".rate") == Some(name);
-        names.iter().position(|known| own(&known)).unwrap_or_else(|| panic!("{name} of {names:?}"))
+        names.iter().position(own).unwrap_or_else(|| panic!("{name} of {names:?}"))
     });
     let accelerations = |theta: [f64; COUNT]| {
         let (mut state, mut delta) = (*at, at.v);
@@ -142,15 +142,12 @@ fn stiffness_of(
         index.map(|k| a[k])
     };
     let h = 1e-6;
-    let mut found = [[0.0; COUNT]; COUNT];
-    for column in 0..COUNT {
+    let columns: Matrix = core::array::from_fn(|column| {
         let of = |h: f64| accelerations(core::array::from_fn(|k| if k == column { h } else { 0.0 }));
         let (plus, minus) = (of(h), of(-h));
-        for row in 0..COUNT {
-            found[row][column] = -inertia[row] * (plus[row] - minus[row]) / (2.0 * h);
-        }
-    }
-    found
+        core::array::from_fn(|row| -inertia[row] * (plus[row] - minus[row]) / (2.0 * h))
+    });
+    core::array::from_fn(|row| core::array::from_fn(|column| columns[column][row]))
 }
 
 /// At eight positions of a pitch: K entry by entry, and the six elastic frequencies and the rigid mode.
