@@ -36,7 +36,7 @@ pub fn explanation(e: &Explanation, place: &str) -> String {
         let step = format!("RK4 to {} us", number(1e6 * mode.step));
         vec![mode.name.clone(), format!("{} Hz", number(mode.hertz)), step]
     });
-    table(&mut text, "Modes of beams by themselves", modes.collect());
+    table(&mut text, "Modes by themselves", modes.collect());
     table(&mut text, "Joints", e.joints.iter().map(|joint| self::joint(e, joint)).collect());
     table(&mut text, "Couplings and drivers", e.couplings.iter().map(|one| one.to_vec()).collect());
     table(&mut text, "Teeth", e.teeth.iter().map(|pair| pair.cells(str::to_string)).collect());

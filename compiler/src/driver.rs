@@ -26,7 +26,7 @@ pub fn parse(tokens: TokenStream) -> Result<Definition, Diagnostics> {
 pub fn parse_at(tokens: TokenStream, file_of: FileOf) -> Result<Definition, Diagnostics> {
     let mut definition = syntax::parse(tokens, &VOCABULARY, &Shelf { file_of })
         .map_err(|(definition, found)| source::brought(&definition, found))?;
-    match source::read_tables(&mut definition, file_of) {
+    match source::read_files(&mut definition, file_of) {
         Ok(()) => Ok(definition),
         Err(found) => Err(source::brought(&definition, found)),
     }

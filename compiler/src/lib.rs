@@ -17,6 +17,7 @@ pub mod file;
 pub mod forms;
 pub mod functions;
 mod messages;
+pub mod modal;
 pub mod numbers;
 mod scalar;
 pub mod source;

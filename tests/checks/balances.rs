@@ -12,7 +12,7 @@ use linkwright_compiler::equations::space::constant_axis;
 use linkwright_compiler::forms::Law;
 use linkwright_compiler::functions::{MOTION, REACTION};
 use linkwright_compiler::model::{
-    Coordinates, Expr, Frame, Joint, Load, Mechanism as Mechanism_, Space, value_at,
+    Coordinates, Deforms, Expr, Frame, Joint, Load, Mechanism as Mechanism_, Space, value_at,
 };
 use linkwright_compiler::schedule::{self, Function, Inputs};
 use linkwright_compiler::{Compiled, compile_model};
@@ -157,14 +157,27 @@ fn stored<M: Model>(weightless: &Compiled, parameters: &[f64], time: f64, q: &M:
     schedule::run(weightless.programs.get(Function::PotentialEnergy), &inputs)[0]
 }
 
-/// −Σ (K p + C ṗ) ṗ of the modes of beams.
+/// −Σ (K p + C ṗ) ṗ of modes.
 fn of_modes(compiled: &Compiled, parameters: &[f64], q: &[f64], v: &[f64]) -> f64 {
     let mut power = 0.0;
     for (index, linear) in compiled.complete.equations.layout.linear.iter().enumerate() {
         let Linear::Mode(body, mode) = linear else { continue };
         let body = &compiled.mechanism.bodies[body.0];
-        let beam = body.beam.as_ref().expect("what has modes is a beam");
         let number = |expr: &Expr| value_at(expr, parameters).expect("a number");
+        let beam = match body.deforms.as_ref().expect("what has modes deforms") {
+            Deforms::Beam(beam) => beam,
+            Deforms::Modal(modal) => {
+                // Modes of a body stand side by side.
+                let first = index - mode;
+                let damping = modal.reduced.critical_damping();
+                let stiffness = modal.reduced.stiffness[*mode].iter().zip(&damping[*mode]).enumerate();
+                let force = stiffness.map(|(k, (stiffness, damping))| {
+                    stiffness * q[first + k] + number(&modal.damping_ratio) * damping * v[first + k]
+                });
+                power -= force.sum::<f64>() * v[index];
+                continue;
+            }
+        };
         let stiffness =
             beam.slender.modes[*mode].stiffness * number(beam.rigidity(beam.slender.modes[*mode].way));
         let rate = stiffness / beam.rates(&body.mass, parameters)[*mode];
@@ -241,8 +254,8 @@ fn power_is_balanced<M: Model>() {
 /// The power of springs without damping is −dV/dt.
 fn springs_store_what_they_take<M: Model>() {
     let (compiled, parameters, model, states) = walk::<M>(23, STATES);
-    // Beams store too, and no load tells of that.
-    if compiled.mechanism.bodies.iter().any(|body| body.beam.is_some()) {
+    // What deforms stores too, and no load tells of that.
+    if compiled.mechanism.bodies.iter().any(|body| body.deforms.is_some()) {
         return;
     }
     let none = |damping: &Expr| matches!(damping, Expr::Number(0.0));

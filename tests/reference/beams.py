@@ -14,7 +14,7 @@ import math
 import casadi as ca
 import numpy as np
 
-from expressions import entry
+from expressions import entry, number
 from space_frames import tilde
 
 SLICES = 24
@@ -133,6 +133,13 @@ class Beam:
 
     def elastic_energy(self, p):
         return sum((self.stiffness(k) * p[k] ** 2 / 2 for k in range(len(self.names))), ca.SX(0))
+
+    def spot(self, local):
+        """x of a place on the axis."""
+        return number(local[0])
+
+    def modal_forces(self, rates, mass):
+        return [-self.damping(mode, mass) * rate for mode, rate in enumerate(rates)]
 
     def damping(self, mode, mass):
         """2 ζ √(K M), in torsion with the moment of inertia about the axis."""

@@ -156,7 +156,7 @@ class Model:
         body = self.bodies[body_name]
         if point not in body.points:
             raise ValueError(f"{self.title}: body `{body_name}` has no point `{point}`")
-        of_mean = point == "origin" and body.beam is not None and body.beam.shapes == "free"
+        of_mean = point == "origin" and body.beam is not None and body.beam.shapes in ("free", "modal")
         return Place(body_name, body.points[point] - body.center, of_mean=of_mean)
 
     def line(self, node):

@@ -137,9 +137,9 @@ class Energies:
         rates, forces = [], []
         for name, body in self.model.bodies.items():
             if getattr(body, "beam", None) is not None:
-                for mode, rate in enumerate(self.kinematics.modes[name][1]):
-                    rates.append(rate)
-                    forces.append(-body.beam.damping(mode, body.mass) * rate)
+                own = self.kinematics.modes[name][1]
+                rates += own
+                forces += body.beam.modal_forces(own, body.mass)
         if not rates:
             return ca.SX.zeros(self.kinematics.v.numel()), ca.SX(0)
         rates, forces = ca.vertcat(*rates), ca.vertcat(*forces)

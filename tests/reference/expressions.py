@@ -175,3 +175,7 @@ def _call(function, arguments, scope):
         table = tables[name] if name == function else tables[name].slope
         return table(*[evaluate(child, scope) for child in arguments])
     raise ValueError(f"unknown function `{function}`")
+
+
+def number(value):
+    return float(ca.evalf(ca.SX(value)))

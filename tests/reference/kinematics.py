@@ -44,10 +44,6 @@ class Row:
         return f"{self.of}.{self.what}"
 
 
-def number(value):
-    return float(ca.evalf(ca.SX(value)))
-
-
 GROUND = Pose(ca.SX(0), ca.SX(0), ca.SX(1), ca.SX(0), ca.SX(0))
 
 
@@ -86,14 +82,14 @@ class Kinematics:
     def arm(self, place):
         """From the body's origin of coordinates, in its axes; of a beam as it is deformed."""
         beam = self.beam(place.body)
-        return place.local if beam is None or place.of_mean else beam.deformed(number(place.local[0]), self.modes[place.body][0])
+        return place.local if beam is None or place.of_mean else beam.deformed(beam.spot(place.local), self.modes[place.body][0])
 
     def slope(self, place, of_rates=False):
         """By how much the section at a place is turned against its body, and how fast."""
         beam = self.beam(place.body)
         if beam is None:
             return ca.SX(0)
-        return beam.slope(number(place.local[0]), self.modes[place.body][int(of_rates)])
+        return beam.slope(beam.spot(place.local), self.modes[place.body][int(of_rates)])
 
     def slopes(self, name, of_rates=False):
         """What a rotor turns by beyond its bodies."""

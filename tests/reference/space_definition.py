@@ -11,6 +11,7 @@ import casadi as ca
 from beams import Beam
 from definition import Body, Model, Place
 from expressions import entry, in_unit, pair
+from modal import Modal
 from space_frames import canonical_frame, cleaned, frame_about, turn_about
 
 ALONG_Z = ca.SX([0, 0, 1])
@@ -104,6 +105,10 @@ class SpaceModel(Model):
             spin = ca.diag(ca.vertcat(mass * beam.polar, 0, 0))
             points["origin"] = ca.SX.zeros(3)
             return Body(name, False, mass, spin, ca.SX.zeros(3), points, axes, beam=beam)
+        if kind == "flexible":
+            # Referred to the origin of its frame; its mass is in its points, but what turns at its nodes.
+            modal = Modal(body, given)
+            return Body(name, False, ca.SX(modal.mass), ca.SX(modal.turning_inertia), ca.SX.zeros(3), points, axes, beam=modal)
         if ("mass" in given) == ("density" in given):
             raise ValueError(f"{self.title}: body `{name}` needs exactly one of mass and density")
         mass = given["mass"] if "mass" in given else given["density"] * _volume(kind, given, vectors)

@@ -2,6 +2,7 @@
 
     T(q, q̇, t) = Σ ½ m |ṙ|² + ½ tr(Ȧ S Ȧᵀ),   S = ½ tr(J) 1 − J = ∫ x xᵀ dm in body axes about the centre of mass,
     of beams slice by slice, each of which turns about the axis by the rate of the frame and that of its twist,
+    of bodies with the modes of a file point by point, and what turns at their nodes by the rates of the frame and of the modes,
     M = Nᵀ (∂²T/∂q̇²) N,   Q = loads − Nᵀ ∂V/∂q − Nᵀ [(d/dt ∂T/∂q̇ at v̇ = 0) − ∂T/∂q].
 Ȧ is ∂A/∂q q̇, so no angular velocity occurs. Admissible variations are δq = N δπ, tangent to the unit circles and
 spheres of the pairs and quaternions, so that T may be continued off them in any way: the reactions of the norms'
@@ -12,7 +13,8 @@ García de Jalón & Bayo, 1994, ch. 4.2.) Loads, constraints and their derivativ
 import casadi as ca
 
 from energies import Energies
-from space_frames import cleaned
+from modal import Modal
+from space_frames import cleaned, vee
 
 
 class SpaceEnergies(Energies):
@@ -33,6 +35,10 @@ class SpaceEnergies(Energies):
                 energy += body.mass * ca.dot(own[:3], own[:3]) / 2
             if not body.particle and not self._twists(body):
                 energy += self._turning(body, own[3:])
+            if isinstance(body.beam, Modal):
+                omega = vee(ca.mtimes(ca.SX(poses[index].matrix).T, ca.reshape(own[3:], 3, 3)))
+                modes = ca.vertcat(*kinematics.modes[body.name][0])
+                energy += body.beam.turning_energy(omega, ca.jtimes(modes, kinematics.q, self.q_dot))
         for index, (mass, _) in enumerate(slices):
             own = rates[12 * len(bodies) + 3 * index : 12 * len(bodies) + 3 * index + 3]
             energy += mass * ca.dot(own, own) / 2

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from kinematics import Kinematics, Row, number
+from kinematics import Kinematics, Row
 from space_definition import ANGLES, TRAVELS
 from space_frames import cleaned, vee
 
@@ -58,7 +58,7 @@ class SpaceKinematics(Kinematics):
         beam = self.beam(place.body)
         if beam is None or place.of_mean:
             return ca.SX.eye(3)
-        return beam.turned(number(place.local[0]), self.modes[place.body][0])
+        return beam.turned(beam.spot(place.local), self.modes[place.body][0])
 
     def turning(self, place):
         """The angular velocity of what a place belongs to, in its axes."""

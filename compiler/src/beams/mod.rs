@@ -21,7 +21,6 @@ pub use shape::{Shape, Wave};
 pub use stiffening::Shortening;
 
 use crate::forms::Space;
-use crate::units::Dimension;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Most modes of one kind.
@@ -121,11 +120,6 @@ impl Way {
     /// Whether it is across the axis.
     pub fn bends(self) -> bool {
         matches!(self, Self::Bending | Self::BendingZ)
-    }
-
-    /// What its coordinates measure.
-    pub fn dimension(self) -> Dimension {
-        if self == Self::Torsion { Dimension::ANGLE } else { Dimension::LENGTH }
     }
 
     /// Along which of the frame's axes, of torsion about which.

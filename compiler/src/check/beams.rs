@@ -26,14 +26,14 @@ pub(super) fn frequencies(mechanism: &Mechanism, errors: &mut Diagnostics) {
     let defaults = mechanism.defaults();
     for expected in &mechanism.expect.frequencies {
         let body = &mechanism.bodies[expected.body.0];
-        let Some(beam) = &body.beam else { continue };
-        let found = beam.rates(&body.mass, &defaults)[expected.mode] / TAU;
+        let Some(deforms) = &body.deforms else { continue };
+        let found = deforms.rates(&body.mass, &defaults)[expected.mode] / TAU;
         let holds = match expected.side {
             Side::Above => found >= expected.bound,
             Side::Below => found <= expected.bound,
         };
         if !holds {
-            let mode = format!("{}.{}", body.name.text, beam.mode_name(expected.mode));
+            let mode = format!("{}.{}", body.name.text, deforms.mode_name(expected.mode));
             let above = expected.side == Side::Above;
             errors.error(expected.span, messages::frequency_missed(&mode, found, above, expected.bound));
         }
@@ -43,7 +43,7 @@ pub(super) fn frequencies(mechanism: &Mechanism, errors: &mut Diagnostics) {
 /// A beam is long in its thickness.
 pub(super) fn beams_are_slender(mechanism: &Mechanism, wanted: &mut Wanted) {
     for body in &mechanism.bodies {
-        let Some(beam) = &body.beam else { continue };
+        let Some(beam) = body.beam() else { continue };
         let axial = at_defaults(mechanism, beam.rigidity(Way::Axial));
         let stiffest =
             ways(beam).filter_map(|way| at_defaults(mechanism, beam.rigidity(way))).fold(0.0, f64::max);
@@ -58,7 +58,7 @@ pub(super) fn beams_are_slender(mechanism: &Mechanism, wanted: &mut Wanted) {
 /// Shapes that are clamped at the start belong to a beam that something clamps there.
 pub(super) fn clamps_hold(mechanism: &Mechanism, wanted: &mut Wanted) {
     for (index, body) in mechanism.bodies.iter().enumerate() {
-        let Some(beam) = &body.beam else { continue };
+        let Some(beam) = body.beam() else { continue };
         let shapes = beam.slender.shapes;
         let clamped = matches!(shapes, Shapes::Clamped | Shapes::Static) && has_bending(beam);
         let twists = shapes != Shapes::Free && beam.has(Way::Torsion);
@@ -97,7 +97,7 @@ pub fn unstiffened<'m>(
     found: &mut Diagnostics,
 ) {
     let is_soft = |body: &'m Body| -> Option<&'m Beam> {
-        let beam = body.beam.as_ref()?;
+        let beam = body.beam()?;
         let covered = mechanism.allowed.covers(Lint::Stiffening, body.name.span);
         (has_bending(beam) && beam.slender.shortenings.is_empty() && !covered).then_some(beam)
     };

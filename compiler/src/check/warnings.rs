@@ -188,8 +188,8 @@ fn nothing_from(load: &Load) -> Option<String> {
 
 /// Warns of a load on bodies that joints hold, in `rigid` groups altogether and in `parallel` ones against turning.
 fn nothing_moved(mechanism: &Mechanism, load: &Load, rigid: &Groups, parallel: &Groups) -> Option<String> {
-    // What is held at one place of a beam moves at another.
-    if load.places().any(|place| mechanism.beam(place.frame).is_some()) {
+    // What is held at one place of a body that deforms moves at another.
+    if load.places().any(|place| mechanism.deforms(place.frame).is_some()) {
         return None;
     }
     let name = &load.name.text;
@@ -243,12 +243,9 @@ fn springs_pull_back(mechanism: &Mechanism, wanted: &mut Wanted) {
     }
 }
 
-/// Whether what a joint holds of its places it holds of their bodies: a place of a beam that moves or turns as it bends is held alone.
+/// Whether what a joint holds of its places it holds of their bodies: a place that moves or turns as its body deforms is held alone.
 fn holds_bodies(mechanism: &Mechanism, joint: &Joint) -> bool {
-    let stays = |place: &Place| {
-        let beam = mechanism.beam(place.frame);
-        beam.is_none_or(|beam| matches!(place.at[0], Expr::Number(x) if beam.slender.stays(x)))
-    };
+    let stays = |place: &Place| mechanism.deforms(place.frame).is_none_or(|deforms| deforms.stays(&place.at));
     stays(&joint.first) && stays(&joint.second)
 }
 
@@ -315,7 +312,7 @@ fn beyond(mechanism: &Mechanism, body: &Body, place: &NamedPoint) -> Option<((&'
     let limits = match body.form.outline {
         Outline::None => return None,
         // What is not on the axis of a beam was refused, and its frame may be at an end.
-        _ if body.form.bends => return None,
+        _ if body.form.bends() => return None,
         Outline::Bar => {
             vec![("along x", x.abs(), half("length")), ("off its axis", libm::hypot(y, z), length("radius"))]
         }

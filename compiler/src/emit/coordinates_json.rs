@@ -21,7 +21,7 @@ pub fn coordinates_json(mechanism: &Mechanism, equations: &Equations) -> String 
             format!("{{\"kind\":\"{}\",\"of\":{}}}", ["x", "y", "z"][*axis], body(id.0))
         }
         Linear::Mode(id, mode) => {
-            let name = mechanism.bodies[id.0].beam.as_ref().map(|beam| beam.mode_name(*mode));
+            let name = mechanism.bodies[id.0].deforms.as_ref().map(|deforms| deforms.mode_name(*mode));
             format!("{{\"kind\":{},\"of\":{}}}", quoted(&name.unwrap_or_default()), body(id.0))
         }
         Linear::Travel(id, which) => {

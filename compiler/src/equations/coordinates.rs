@@ -4,7 +4,6 @@
 //! q = [linear coordinates | (cos, sin) per rotation | (w, x, y, z) per quaternion | (turns, remainder) per multi-turn
 //! angle], v = [linear rates | ω per rotation | ω along x, y, z of the turned axes per quaternion].
 
-use crate::beams::Way;
 use crate::model::{BodyId, JointId, Mechanism, Rotor, identifier};
 use crate::symbolic::{Class, Node, Sheet};
 
@@ -15,7 +14,7 @@ pub enum Linear {
     Center(BodyId, usize),
     /// Travel of a joint that carries a body; which of its travels.
     Travel(JointId, usize),
-    /// A mode of a beam.
+    /// A mode of a body that deforms.
     Mode(BodyId, usize),
 }
 
@@ -140,8 +139,8 @@ impl Linear {
     /// Whether it is a length: all but modes in torsion, which are angles.
     pub fn is_length(&self, mechanism: &Mechanism) -> bool {
         let Linear::Mode(body, mode) = self else { return true };
-        let beam = mechanism.bodies[body.0].beam.as_ref();
-        beam.is_none_or(|beam| beam.slender.modes[*mode].way != Way::Torsion)
+        let deforms = mechanism.bodies[body.0].deforms.as_ref();
+        deforms.is_none_or(|deforms| !deforms.is_angle(*mode))
     }
 
     fn name(&self, mechanism: &Mechanism) -> String {
@@ -214,14 +213,14 @@ pub fn travel_name(mechanism: &Mechanism, joint: JointId, which: usize, rate: us
 /// `coupler.bending[0]`.
 pub fn mode_name(mechanism: &Mechanism, body: BodyId, mode: usize) -> String {
     let body = &mechanism.bodies[body.0];
-    let mode = body.beam.as_ref().map_or_else(String::new, |beam| beam.mode_name(mode));
+    let mode = body.deforms.as_ref().map_or_else(String::new, |deforms| deforms.mode_name(mode));
     format!("{}.{mode}", body.name.text)
 }
 
-/// What the coordinates of a free body are of: its centre of mass, or the origin of a beam's frame.
+/// What the coordinates of a free body are of: its centre of mass, or the origin of the frame of one that deforms.
 fn reference(mechanism: &Mechanism, body: BodyId) -> String {
     let body = &mechanism.bodies[body.0];
-    let place = if body.form.bends { "origin" } else { "center" };
+    let place = if body.form.bends() { "origin" } else { "center" };
     format!("{}.{place}", body.name.text)
 }
 

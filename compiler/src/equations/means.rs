@@ -33,6 +33,12 @@ impl<'g> Means<'g> {
         means
     }
 
+    /// Of functions whose means are constants.
+    pub fn of_constants(g: Sheet<'g>, first: &[f64], second: &[Vec<f64>]) -> Self {
+        let numbers = |row: &[f64]| row.iter().map(|mean| g.number(*mean)).collect();
+        Means { g, first: numbers(first), second: second.iter().map(|row| numbers(row)).collect() }
+    }
+
     /// ∫ φ_i over the mass, by the mass.
     pub fn first(&self, i: usize) -> Scalar<'g> {
         self.first[i]

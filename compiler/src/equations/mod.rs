@@ -470,7 +470,7 @@ fn masses(laws: &Laws) -> Vec<(String, Node)> {
         }
     }
     for body in &laws.mechanism.bodies {
-        let Some(beam) = &body.beam else { continue };
+        let Some(beam) = body.beam() else { continue };
         for way in Way::of(beam.space).iter().filter(|way| **way != Way::Torsion || beam.has(Way::Torsion)) {
             let (what, rigidity) = (way.word(beam.space), beam.rigidity(*way));
             masses.push((format!("{what} stiffness of \"{}\"", body.name.text), laws.value(rigidity).bare));

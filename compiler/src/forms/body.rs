@@ -17,9 +17,18 @@ pub struct BodyForm {
     pub states_center: bool,
     /// Whether it has points `start` and `end`, half its length from its centre along x.
     pub has_ends: bool,
-    /// Whether it has coordinates of its own by which it deforms.
-    pub bends: bool,
+    pub deforms: Deforms,
     pub outline: Outline,
+}
+
+/// The coordinates of its own by which a body deforms.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Deforms {
+    Not,
+    /// Modes of a slender beam, by its lengths and its material.
+    Beam,
+    /// Modes of a finite element model, as a file has them.
+    Modal,
 }
 
 /// A body by its lengths.
@@ -106,6 +115,20 @@ pub enum Outline {
 }
 
 impl BodyForm {
+    /// Whether it has coordinates of its own by which it deforms.
+    pub fn bends(&self) -> bool {
+        self.deforms != Deforms::Not
+    }
+
+    pub fn is_beam(&self) -> bool {
+        self.deforms == Deforms::Beam
+    }
+
+    /// Whether its modes are those of a file.
+    pub fn is_modal(&self) -> bool {
+        self.deforms == Deforms::Modal
+    }
+
     /// How it is described in a space, if it is at home there.
     pub fn solid(&self, space: Space) -> Option<&'static Solid> {
         match space {
@@ -125,7 +148,7 @@ impl BodyForm {
 
     /// Whether its moments of inertia do not follow from its lengths.
     pub fn states_inertia(&self, space: Space) -> bool {
-        self.solid(space).is_none_or(|solid| solid.moments.is_none())
+        !self.is_modal() && self.solid(space).is_none_or(|solid| solid.moments.is_none())
     }
 
     /// Properties of one value that it may have.
@@ -135,10 +158,13 @@ impl BodyForm {
         names.extend(solid.volume.map(|_| "density"));
         names
             .extend(solid.lengths.iter().filter(|length| length.of_size.is_none()).map(|length| length.name));
-        if self.turns && !self.bends && space == Space::Planar {
+        if self.turns && !self.bends() && space == Space::Planar {
             names.push("inertia");
         }
-        if self.bends {
+        if self.is_modal() {
+            names.push("damping_ratio");
+        }
+        if self.is_beam() {
             names.extend(["density", "young", "area"].iter().chain(second_moments(space)));
             names.push("damping_ratio");
             if space == Space::Spatial {
@@ -155,7 +181,7 @@ impl BodyForm {
         if solid.has_size() {
             names.push("size");
         }
-        if self.turns && !self.bends && space == Space::Spatial {
+        if self.turns && !self.bends() && space == Space::Spatial {
             names.extend(["inertia", "products", "inertia_axes"]);
         }
         names

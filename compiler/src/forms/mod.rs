@@ -12,7 +12,7 @@ pub mod row;
 mod table;
 mod toothing;
 
-pub use body::{BodyForm, Length, Moment, Outline, SECTIONS, Solid, Volume, second_moments};
+pub use body::{BodyForm, Deforms, Length, Moment, Outline, SECTIONS, Solid, Volume, second_moments};
 pub use contact::{CONTACT_LAWS, ContactLaw, ContactLawForm, SURFACES, SurfaceForm, SurfaceKind};
 pub use coupling::{CouplingForm, Factor, Means, Proportion};
 pub use joint::{Alone, Bearing, Freer, Given, JointAxes, JointForm, OfParticle, Spans, degrees_between};

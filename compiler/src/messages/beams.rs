@@ -156,7 +156,7 @@ pub(crate) fn beam_first(joint: &str, kind: &str, place: &str) -> String {
 
 pub(crate) fn bushing_on_beam(place: &str) -> String {
     format!(
-        "a bushing turns with its bodies, and at `{place}` a beam has the direction of its section: write `spring`, `damper` and \
+        "a bushing turns with its bodies, and at `{place}` a body that deforms has the direction of what is there: write `spring`, `damper` and \
          `torsion_spring` on joints"
     )
 }
@@ -223,8 +223,9 @@ pub(crate) fn not_positive_of_beam(property: &str, beam: &str, value: f64) -> St
     format!("{} of the beam `{beam}` must be positive, found {}", capital(property), number(value))
 }
 
-pub(crate) fn damping_ratio_negative(beam: &str, value: f64) -> String {
-    format!("the damping ratio of the beam `{beam}` must not be negative, found {}", number(value))
+pub(crate) fn damping_ratio_negative(kind: &str, body: &str, value: f64) -> String {
+    let kind = if kind == "beam" { kind } else { "flexible body" };
+    format!("the damping ratio of the {kind} `{body}` must not be negative, found {}", number(value))
 }
 
 pub(crate) fn tube_inside_out(beam: &str, inner: f64, outer: f64) -> String {
@@ -312,13 +313,13 @@ pub(crate) fn pressed_beam(beam: &str, thrust: f64, euler: f64) -> String {
 
 pub(crate) fn no_mode(asked: &str) -> String {
     format!(
-        "`{asked}` is no mode of a beam, which has a frequency by itself: write `frequency(coupler.bending[0]) >= 200 [Hz]`"
+        "`{asked}` is no mode of a body that deforms, which has a frequency by itself: write `frequency(coupler.bending[0]) >= 200 [Hz]`"
     )
 }
 
 pub(crate) fn frequency_missed(mode: &str, found: f64, above: bool, bound: f64) -> String {
     format!(
-        "`{mode}` has {} Hz by itself, {} than the {} Hz expected: change the section, the length or the material of the beam",
+        "`{mode}` has {} Hz by itself, {} than the {} Hz expected: change the section, the length or the material, or the finite element model",
         significant(found, 6),
         if above { "less" } else { "more" },
         number(bound)

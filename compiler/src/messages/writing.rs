@@ -243,6 +243,11 @@ pub(crate) fn unknown_property(
     allowed: &[&str],
     known_statements: &[&str],
 ) -> String {
+    let (shape, places) = match shape {
+        "particle" => (shape, ""),
+        "flexible" => ("flexible body", ", and points at nodes"),
+        _ => (shape, ", and points and lines"),
+    };
     if known_statements.contains(&word) && !["point", "line", "marker"].contains(&word) {
         return format!(
             "`{word}` begins a statement of the mechanism, not of a {shape}: close the braces of the {shape} first"
@@ -251,7 +256,6 @@ pub(crate) fn unknown_property(
     if word == "density" {
         return format!("the volume of a {shape} is not known, so it has no `density`: write its `mass`");
     }
-    let places = if shape == "particle" { "" } else { ", and points and lines" };
     let hint = match closest(word, allowed.iter().copied().chain(["point", "line", "center"])) {
         Some(known) => format!("; did you mean `{known}`?"),
         None => format!("; it has {}{places}", allowed.join(", ")),

@@ -5,8 +5,7 @@ mod section;
 use super::fold;
 use super::lower::{Lowering, Use};
 use super::{
-    Body, BodyId, Coordinate, Expr, Frame, Frequency, Function2, Joint, Mechanism, Place, Space,
-    StartCondition, Vector,
+    Body, BodyId, Coordinate, Deforms, Expr, Frame, Frequency, Function2, Joint, Place, Space, Vector,
 };
 use crate::beams::{Shapes, Slender, Way};
 use crate::messages;
@@ -61,7 +60,7 @@ impl Beam {
 impl Body {
     /// Of a beam in space: its inertia about its axis, kg m², by its mass and its section.
     pub(super) fn spin_of_beam(&mut self) {
-        if let Some(beam) = &self.beam
+        if let Some(Deforms::Beam(beam)) = &self.deforms
             && beam.space == Space::Spatial
         {
             self.inertia.moments[0] = times(self.mass.clone(), beam.spin.clone());
@@ -69,40 +68,10 @@ impl Body {
     }
 }
 
-impl Mechanism {
-    /// What bends of a frame, if it does.
-    pub fn beam(&self, frame: Frame) -> Option<&Beam> {
-        match frame {
-            Frame::Ground => None,
-            Frame::Body(body) => self.bodies[body.0].beam.as_ref(),
-        }
-    }
-
-    /// The modes of all beams by themselves, with their natural rates at the default parameters, rad/s.
-    pub fn modes(&self) -> Vec<(String, f64)> {
-        let defaults = self.defaults();
-        let mut modes = Vec::new();
-        for body in &self.bodies {
-            let Some(beam) = &body.beam else { continue };
-            let rates = beam.rates(&body.mass, &defaults).into_iter().enumerate();
-            modes.extend(
-                rates.map(|(mode, rate)| (format!("{}.{}", body.name.text, beam.mode_name(mode)), rate)),
-            );
-        }
-        modes
-    }
-
-    /// Whether what a place belongs to keeps its direction there while it deforms.
-    pub fn keeps_direction(&self, place: &Place) -> bool {
-        let Some(beam) = self.beam(place.frame) else { return true };
-        matches!(place.at[0], Expr::Number(x) if beam.slender.keeps_direction(x))
-    }
-}
-
 impl<'d> Lowering<'d> {
     /// The shapes of a beam, as soon as its length is known; said where it is not when the body is lowered.
     pub(super) fn slender(&mut self, body: &'d syntax::Body) -> Option<Arc<Slender>> {
-        if !body.form.bends {
+        if !body.form.is_beam() {
             return None;
         }
         let Some(Expr::Number(length)) = self.shape_length(body, "length", false) else { return None };
@@ -171,18 +140,7 @@ impl<'d> Lowering<'d> {
         }
         let young = self.positive_of_beam(body, "young", Dimension::PRESSURE, "GPa");
         let section = self.section(body);
-        let damping_ratio = match body.property("damping_ratio") {
-            Some((_, entry)) => self.entry(entry, Dimension::ONE, Use::PROPERTY, "damping_ratio"),
-            None => Some(Expr::Number(0.0)),
-        };
-        if let (Some(Expr::Number(ratio)), Some((_, entry))) =
-            (&damping_ratio, body.property("damping_ratio"))
-            && *ratio < 0.0
-        {
-            let message = messages::damping_ratio_negative(&body.name.text, *ratio);
-            self.diagnostics.error(entry.value.region, message);
-            return None;
-        }
+        let damping_ratio = self.damping_ratio(body);
         let shear = self.shear_modulus(body)?;
         let (young, Section { area, about_z, about_y, torsion }) = (young?, section?);
         let [stretched, bent, bent_z] =
@@ -241,7 +199,7 @@ impl<'d> Lowering<'d> {
         // With a number it is meant as a mode, if of a beam elsewhere.
         let is_way =
             is_way_of(space) || word.contains('[') && (is_way_of(Space::Planar) || is_way_of(Space::Spatial));
-        if !self.definition.bodies[body.0].form.bends || !is_way {
+        if !self.definition.bodies[body.0].form.is_beam() || !is_way {
             return None;
         }
         let counts = self.definition.bodies[body.0].beam.counts(space);
@@ -256,7 +214,7 @@ impl<'d> Lowering<'d> {
             self.diagnostics.error(path.region, message);
             return Some(Err(()));
         };
-        Some(Ok((Coordinate::Mode(body, mode as u8, way), !rest.is_empty())))
+        Some(Ok((Coordinate::Mode(body, mode as u8, way == Way::Torsion), !rest.is_empty())))
     }
 
     /// `frequency(coupler.bending[0]) >= 200 [Hz]`
@@ -285,29 +243,50 @@ impl<'d> Lowering<'d> {
     pub(super) fn bends(&self, frame: Frame) -> bool {
         match frame {
             Frame::Ground => false,
-            Frame::Body(body) => self.definition.bodies[body.0].form.bends,
+            Frame::Body(body) => self.definition.bodies[body.0].form.bends(),
         }
     }
 
     /// Whether the origin of a body is no point of it.
     pub(super) fn has_mean_frame(&self, body: BodyId) -> bool {
         let body = &self.definition.bodies[body.0];
-        body.form.bends && body.beam.shapes() == Shapes::Free
+        body.form.is_modal() || body.form.is_beam() && body.beam.shapes() == Shapes::Free
     }
 
     /// Whether the direction of a body is no section's.
     pub(super) fn has_mean_direction(&self, body: BodyId) -> bool {
         let body = &self.definition.bodies[body.0];
-        body.form.bends && !matches!(body.beam.shapes(), Shapes::Clamped | Shapes::Static)
+        let held = || matches!(body.beam.shapes(), Shapes::Clamped | Shapes::Static);
+        body.form.is_modal() || body.form.is_beam() && !held()
     }
 
     /// Nothing is attached to the origin of a frame in the mean.
     pub(super) fn of_axis(&mut self, place: &Place) -> Option<()> {
         if place.of_mean {
-            self.diagnostics.error(place.span, messages::origin_of_beam(&place.text));
+            let message = self.origin_of_mean(place);
+            self.diagnostics.error(place.span, message);
             return None;
         }
         Some(())
+    }
+
+    /// Why nothing is attached to a place of the mean.
+    pub(super) fn origin_of_mean(&self, place: &Place) -> String {
+        match place.frame {
+            Frame::Body(body) if self.definition.bodies[body.0].form.is_modal() => {
+                messages::origin_of_flexible(&place.text)
+            }
+            _ => messages::origin_of_beam(&place.text),
+        }
+    }
+
+    /// Why no torque acts on a body whose direction is none of its places'.
+    pub(super) fn torque_on_mean(&self, body: BodyId) -> String {
+        let body = &self.definition.bodies[body.0];
+        match body.form.is_modal() {
+            true => messages::torque_on_flexible(&body.name.text),
+            false => messages::torque_on_beam(&body.name.text),
+        }
     }
 
     /// What joints with beams cannot do.
@@ -328,7 +307,7 @@ impl<'d> Lowering<'d> {
                 Expr::Number(x) => x == slender.from || x == slender.from + slender.length,
                 _ => false,
             };
-            let pinned = body.form.bends && body.beam.shapes() == Shapes::Pinned;
+            let pinned = body.form.is_beam() && body.beam.shapes() == Shapes::Pinned;
             if pinned && form.keeps_orientation && self.slender(body).is_some_and(is_end) {
                 let message = messages::pinned_held(&joint.name.text, form.call.word, &body.name.text);
                 self.diagnostics.error(place.span, message);
@@ -336,34 +315,6 @@ impl<'d> Lowering<'d> {
             }
         }
         Some(())
-    }
-
-    /// Modes are at rest at zero at the start unless that is said: assembly does not bend a beam to close a loop.
-    pub(super) fn modes_at_rest(mechanism: &mut Mechanism) {
-        let mut rest = Vec::new();
-        for (index, body) in mechanism.bodies.iter().enumerate() {
-            let Some(beam) = &body.beam else { continue };
-            for mode in 0..beam.slender.modes.len() {
-                let coordinate = Coordinate::Mode(BodyId(index), mode as u8, beam.slender.modes[mode].way);
-                for rate in [false, true] {
-                    // What is only guessed is found, and so is its rate.
-                    let said = |start: &StartCondition| {
-                        start.coordinate == coordinate && (start.rate == rate || !start.exact)
-                    };
-                    if !mechanism.start.iter().any(said) {
-                        rest.push(StartCondition {
-                            coordinate: coordinate.clone(),
-                            rate,
-                            text: format!("{}.{}", body.name.text, beam.mode_name(mode)),
-                            value: Expr::Number(0.0),
-                            exact: true,
-                            span: body.name.span,
-                        });
-                    }
-                }
-            }
-        }
-        mechanism.start.extend(rest);
     }
 }
 

@@ -1,6 +1,7 @@
 //! Bodies: mass, inertia, and the places that the equations name. What follows from shapes is `shapes`, what places
 //! are is `places`.
 
+use super::deforms::{self, Deforms};
 use super::lower::{Lowering, Use, name};
 use super::names::Part;
 use super::{Axes, Body, Expr, Inertia, NamedLine, NamedPoint, Vector, ZERO};
@@ -18,7 +19,7 @@ impl<'d> Lowering<'d> {
 
     /// A body with its mass, inertia and places.
     pub fn body(&mut self, body: &'d syntax::Body) -> Option<Body> {
-        let mass = self.mass(body);
+        let mass = if body.form.is_modal() { self.mass_of_modal(body) } else { self.mass(body) };
         let shape = self.shape_inertia(body, mass.as_ref().map(|(mass, _)| mass));
         let written = match self.definition.space {
             Space::Planar => self.planar_inertia(body),
@@ -26,6 +27,9 @@ impl<'d> Lowering<'d> {
         };
         let inertia = match written {
             Some(written) => written,
+            None if body.form.is_modal() => {
+                body.reduced().map(|reduced| (deforms::inertia(reduced), body.name.region))
+            }
             None if body.form.states_inertia(self.definition.space) => {
                 self.missing(body, "inertia");
                 None
@@ -38,7 +42,11 @@ impl<'d> Lowering<'d> {
             _ => return None,
         };
         let slender = self.bodies[index].slender.clone();
-        let beam = if body.form.bends { Some(self.beam(body, slender)?) } else { None };
+        let deforms = match body.form.deforms {
+            crate::forms::Deforms::Not => None,
+            crate::forms::Deforms::Beam => Some(Deforms::Beam(Box::new(self.beam(body, slender)?))),
+            crate::forms::Deforms::Modal => Some(Deforms::Modal(self.modal(body)?)),
+        };
         let ((mass, mass_span), (inertia, inertia_span)) = (mass?, inertia?);
         let (points, lines) = (self.named_points(index, body)?, self.named_lines(index, body)?);
         let dimensions = self.dimensions(body)?;
@@ -56,7 +64,8 @@ impl<'d> Lowering<'d> {
             markers: self.named_markers(index, body)?,
             lines,
             toothings,
-            beam,
+            deforms,
+            file: body.modal.as_ref().and_then(|modal| Some(modal.read.as_ref()?.on_disk.clone())),
         };
         lowered.spin_of_beam();
         Some(lowered)
@@ -126,7 +135,7 @@ impl<'d> Lowering<'d> {
     /// Points in the order written, those of the shape first.
     fn named_points(&self, index: usize, body: &'d syntax::Body) -> Option<Vec<NamedPoint>> {
         let own: &[&str] = match body.form {
-            form if form.bends => &["start", "center", "end"],
+            form if form.is_beam() => &["start", "center", "end"],
             form if form.has_ends => &["start", "end"],
             _ => &[],
         };

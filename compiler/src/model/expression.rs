@@ -4,7 +4,6 @@ use super::tables::LookUp;
 use super::{
     BodyId, ConstraintId, DriverId, InputId, JointId, LoadId, ParameterId, Place, Rotor, StateId, Vector,
 };
-use crate::beams::Way;
 use crate::units::Dimension;
 
 /// A scalar expression in SI units.
@@ -255,8 +254,8 @@ pub enum Coordinate {
     /// How far a body in space is from the orientation that `start` states: a component of the axis of the turn between them times
     /// its sine.
     Deviation(BodyId, usize),
-    /// A mode of a beam, of which there are at most twelve of each way, and its way: m, of torsion rad.
-    Mode(BodyId, u8, Way),
+    /// A mode of a body, and whether it is an angle: m, of a beam in torsion rad.
+    Mode(BodyId, u8, bool),
 }
 
 impl Coordinate {
@@ -284,7 +283,7 @@ impl Coordinate {
         match self {
             Self::Angle(_) | Self::Turn(..) | Self::Deviation(..) => Dimension::ANGLE,
             Self::Travel(..) | Self::Position(..) | Self::Distance(..) | Self::Way(..) => Dimension::LENGTH,
-            Self::Mode(_, _, way) => way.dimension(),
+            Self::Mode(_, _, is_angle) => of_mode(*is_angle),
             Self::Square(..) => Dimension::LENGTH.times(Dimension::LENGTH),
             Self::Direction(..) => Dimension::ONE,
         }
@@ -295,9 +294,14 @@ impl Coordinate {
         match self {
             Self::Angle(_) | Self::Turn(..) | Self::Deviation(..) => Dimension::ANGULAR_RATE,
             Self::Travel(..) | Self::Position(..) | Self::Distance(..) | Self::Way(..) => Dimension::SPEED,
-            Self::Mode(_, _, way) => way.dimension().over(Dimension::TIME),
+            Self::Mode(_, _, is_angle) => of_mode(*is_angle).over(Dimension::TIME),
             Self::Square(..) => Dimension::LENGTH.times(Dimension::SPEED),
             Self::Direction(..) => Dimension::ONE.over(Dimension::TIME),
         }
     }
+}
+
+/// Of the coordinate of a mode.
+fn of_mode(is_angle: bool) -> Dimension {
+    if is_angle { Dimension::ANGLE } else { Dimension::LENGTH }
 }

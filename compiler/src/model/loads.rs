@@ -75,9 +75,9 @@ impl<'d> Lowering<'d> {
         for (subject, written) in subjects.iter().zip(&load.on) {
             let message = match subject {
                 Subject::Rotor(Rotor::Body(body)) | Subject::Body(body) if self.has_mean_direction(*body) => {
-                    messages::torque_on_beam(&self.definition.bodies[body.0].name.text)
+                    self.torque_on_mean(*body)
                 }
-                Subject::Place(place) if place.of_mean => messages::origin_of_beam(&place.text),
+                Subject::Place(place) if place.of_mean => self.origin_of_mean(place),
                 Subject::Place(place) if load.form.turns && self.bends(place.frame) => {
                     messages::bushing_on_beam(&place.text)
                 }

@@ -329,7 +329,7 @@ impl<'d> Lowering<'d> {
     fn coupled(&mut self, written: &'d SubjectTerm, acts: Acts) -> Option<Coupled> {
         match self.subject(written, acts)? {
             Subject::Rotor(Rotor::Body(body)) if self.has_mean_direction(body) => {
-                let message = messages::torque_on_beam(&self.definition.bodies[body.0].name.text);
+                let message = self.torque_on_mean(body);
                 self.diagnostics.error(written.region(), message);
                 None
             }

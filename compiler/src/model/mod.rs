@@ -9,6 +9,7 @@ mod bodies;
 mod composites;
 mod constants;
 mod contacts;
+mod deforms;
 mod elements;
 mod expression;
 pub(crate) mod fold;
@@ -41,6 +42,7 @@ use crate::scalar::Scalar;
 pub use crate::syntax::Side;
 pub use crate::syntax::{Budgeted, OnDisk, identifier};
 pub use beams::Beam;
+pub use deforms::{Deforms, Modal};
 pub use elements::{
     Constraint, ConstraintKind, Coupled, Coupling, Joint, Load, Rotor, Sliding, Spot, Subject,
 };
@@ -173,10 +175,11 @@ impl Mechanism {
         loads.flat_map(|(load, it)| (0..it.ungated.len()).map(move |which| (LoadId(load), which)))
     }
 
-    /// The files that tables and parts were read from.
+    /// The files that tables, parts and bodies were read from.
     pub fn files(&self) -> impl Iterator<Item = &OnDisk> {
         let tables = self.tables.iter().filter_map(|table| Some(&table.file.as_ref()?.on_disk));
-        tables.chain(self.parts.iter().filter_map(|part| part.file.as_ref()))
+        let bodies = self.bodies.iter().filter_map(|body| body.file.as_ref());
+        tables.chain(self.parts.iter().filter_map(|part| part.file.as_ref())).chain(bodies)
     }
 
     /// Name of a body, or `ground`.
@@ -304,8 +307,10 @@ pub struct Body {
     pub markers: Vec<NamedPoint>,
     pub lines: Vec<NamedLine>,
     pub toothings: Vec<gears::Toothing>,
-    /// What bends of it.
-    pub beam: Option<Beam>,
+    /// What deforms of it.
+    pub deforms: Option<Deforms>,
+    /// The file that its modes were read from.
+    pub file: Option<OnDisk>,
 }
 
 /// The inertia tensor about the centre of mass, kg m², of parameters only.

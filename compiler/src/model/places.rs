@@ -38,7 +38,7 @@ impl<'d> Lowering<'d> {
             points.insert(&label.text, at);
         }
         let slender = self.slender(body);
-        if body.form.bends {
+        if body.form.is_beam() {
             self.points_of_beam(body, slender.as_deref(), &mut points);
         } else if body.form.has_ends {
             let half = self.shape_length(body, "length", false).map(|length| halved(length, 0.5));
@@ -261,7 +261,11 @@ impl<'d> Lowering<'d> {
         let place = |at: Vector| with_axes(at, Axes::Parallel);
         match path.parts.as_slice() {
             [_, point] if point.text == "origin" => place(ZERO),
-            [_, point] if point.text == "center" && !body.points.contains_key("center") => {
+            [_, point]
+                if point.text == "center"
+                    && !body.points.contains_key("center")
+                    && !self.definition.bodies[index].form.is_modal() =>
+            {
                 place(body.center.clone()?)
             }
             [_, point] => match body.points.get(point.text.as_str()) {
@@ -295,8 +299,10 @@ impl<'d> Lowering<'d> {
 
     fn no_such_point(&mut self, index: usize, body: &str, point: &str, region: Region) {
         let frame = &self.bodies[index];
+        // The centre of mass of what has the modes of a file is no node.
+        let own: &[&str] = if self.definition.bodies[index].form.is_modal() { &[] } else { &["center"] };
         let mut known: Vec<&str> = frame.points.keys().chain(frame.markers.keys()).copied().collect();
-        known.extend(["center", "origin"]);
+        known.extend(own.iter().chain(&["origin"]));
         known.sort_unstable();
         let message = if self.definition.bodies[index].form.turns {
             messages::unknown_point(body, point, &known)

@@ -202,7 +202,7 @@ impl<'d> Lowering<'d> {
 
     fn of_body(&mut self, body: BodyId, path: &Path) -> Option<Found> {
         let quantity = &path.parts[1];
-        match self.mode(body, path) {
+        match self.mode(body, path).or_else(|| self.mode_of_file(body, path)) {
             Some(Ok((mode, false))) => return Found::position(mode),
             Some(Ok((mode, true))) => return Found::velocity(mode),
             Some(Err(())) => return None,

@@ -104,7 +104,7 @@ impl<'d> Lowering<'d> {
 
     /// m³; `None` where it does not follow, which is said.
     pub fn volume(&mut self, body: &'d syntax::Body) -> Option<Expr> {
-        if body.form.bends {
+        if body.form.is_beam() {
             return self.volume_of_beam(body);
         }
         let Solid { volume, lengths: forms, .. } = body.form.solid(self.definition.space)?;

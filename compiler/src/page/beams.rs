@@ -1,9 +1,10 @@
-//! The modes of beams: what they are, how fast they are by themselves, the step that they allow, and what they look like.
+//! The modes of bodies that deform: what they are, how fast they are by themselves, the step that they allow, and what they look like.
 
 use super::figure::{escaped, number};
 use super::table::{Table, code};
 use crate::beams::{Mode, RK4, Way};
 use crate::compiled::Compiled;
+use crate::model::Deforms;
 use crate::numbers::significant;
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::fmt::Write;
@@ -20,24 +21,30 @@ const MARKS: usize = 20;
 
 pub fn beams(page: &mut String, compiled: &Compiled) {
     let mechanism = &compiled.mechanism;
-    let rates = mechanism.modes();
-    let mut rates = rates.iter();
+    let defaults = mechanism.defaults();
     let mut table = Table::new(&["mode", "shapes", "by itself, Hz", "steps of RK4 up to, µs"]);
     let mut pictures = String::new();
     for body in &mechanism.bodies {
-        let Some(beam) = &body.beam else { continue };
-        for (mode, (name, rate)) in beam.slender.modes.iter().zip(rates.by_ref()) {
+        if let Some(deforms @ Deforms::Modal(_)) = &body.deforms {
+            for (mode, rate) in deforms.rates(&body.mass, &defaults).into_iter().enumerate() {
+                table.row(row(
+                    &format!("{}.{}", body.name.text, deforms.mode_name(mode)),
+                    "of its file",
+                    rate,
+                ));
+            }
+        }
+        let Some(beam) = body.beam() else { continue };
+        for (index, (mode, rate)) in
+            beam.slender.modes.iter().zip(beam.rates(&body.mass, &defaults)).enumerate()
+        {
+            let name = &format!("{}.{}", body.name.text, beam.mode_name(index));
             let hertz = significant(rate / TAU, 6);
             pictures.push_str(&picture(mode, &format!("{name}, {hertz} Hz")));
-            table.row(vec![
-                code(name),
-                beam.slender.shapes.word().to_string(),
-                hertz,
-                significant(1e6 * RK4 / rate, 3),
-            ]);
+            table.row(row(name, beam.slender.shapes.word(), rate));
         }
     }
-    table.write(page, "Modes of beams");
+    table.write(page, "Modes");
     if !pictures.is_empty() {
         let _ = write!(
             page,
@@ -45,6 +52,10 @@ pub fn beams(page: &mut String, compiled: &Compiled) {
              that are evenly spaced while nothing moves, of torsion a line on the surface of a round shaft. How large they are says nothing.\n"
         );
     }
+}
+
+fn row(name: &str, shapes: &str, rate: f64) -> Vec<String> {
+    vec![code(name), shapes.to_string(), significant(rate / TAU, 6), significant(1e6 * RK4 / rate, 3)]
 }
 
 /// The axis as a mode bends or stretches it.

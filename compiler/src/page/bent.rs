@@ -21,7 +21,7 @@ impl Bent {
     /// Of each body.
     pub fn of_all(compiled: &Compiled, q: &[f64]) -> Vec<Option<Self>> {
         let bodies = compiled.mechanism.bodies.iter().enumerate();
-        bodies.map(|(index, body)| Some(Self::new(compiled, index, body.beam.as_ref()?, q))).collect()
+        bodies.map(|(index, body)| Some(Self::new(compiled, index, body.beam()?, q))).collect()
     }
 
     fn new(compiled: &Compiled, body: usize, beam: &Beam, q: &[f64]) -> Self {

@@ -1,4 +1,4 @@
-//! Beams: what their modal damping takes, and their kinetic energy slice by slice, which knows nothing of shape integrals.
+//! Bodies that deform: what their modal damping takes, and their kinetic energy slice by slice, which knows nothing of shape integrals.
 
 use super::dynamics::{stands_still, velocity};
 use super::machine::Machine;
@@ -7,7 +7,8 @@ use super::{Check, Report};
 use crate::beams::Rule;
 use crate::equations::{Laws, Linear, plane, space};
 use crate::functions::Function;
-use crate::model::{Expr, Load, Quantity as Quantity_, Space, value_at};
+use crate::modal::{Reduced, cholesky, eigen, reduced_by};
+use crate::model::{BodyId, Deforms, Expr, Load, Quantity as Quantity_, Space, value_at};
 use crate::schedule::{Inputs, sources};
 use crate::symbolic::{Scalar, evaluate_reachable};
 
@@ -78,10 +79,17 @@ fn may_be_quadratic(load: &Load) -> bool {
 pub fn dissipated(machine: &Machine, inputs: &Inputs) -> Quantity {
     let (mechanism, parameters) = (&machine.compiled.mechanism, &inputs.parameters);
     let mut power = 0.0;
-    for (index, linear) in machine.compiled.complete.equations.layout.linear.iter().enumerate() {
+    let layout = &machine.compiled.complete.equations.layout.linear;
+    for (index, body) in mechanism.bodies.iter().enumerate() {
+        let Some(Deforms::Modal(modal)) = &body.deforms else { continue };
+        let first = layout.iter().position(|it| *it == Linear::Mode(BodyId(index), 0)).unwrap_or(0);
+        let ratio = value_at(&modal.damping_ratio, parameters).unwrap_or(f64::NAN);
+        power += ratio * natural_losses(&modal.reduced, &inputs.v[first..]);
+    }
+    for (index, linear) in layout.iter().enumerate() {
         let Linear::Mode(body, mode) = linear else { continue };
         let body = &mechanism.bodies[body.0];
-        let Some(beam) = &body.beam else { continue };
+        let Some(beam) = body.beam() else { continue };
         let number = |expr: &Expr| value_at(expr, parameters).unwrap_or(f64::NAN);
         let shape = &beam.slender.modes[*mode];
         let stiffness = shape.stiffness * number(beam.rigidity(shape.way));
@@ -92,8 +100,18 @@ pub fn dissipated(machine: &Machine, inputs: &Inputs) -> Quantity {
     Quantity { value: power, margin: 1e-11 * power }
 }
 
+/// Σ 2 ω η̇² over the natural modes of M = L Lᵀ and K, η = Qᵀ Lᵀ p.
+fn natural_losses(reduced: &Reduced, rates: &[f64]) -> f64 {
+    let Some(l) = cholesky(&reduced.generalised_mass) else { return f64::NAN };
+    let (squares, q) = eigen(&reduced_by(&l, &reduced.stiffness));
+    let n = squares.len();
+    let scaled = |m: usize| -> f64 { (0..n).map(|i| l[i][m] * rates[i]).sum() };
+    let natural = |k: usize| -> f64 { (0..n).map(|m| q[m][k] * scaled(m)).sum() };
+    (0..n).map(|k| 2.0 * squares[k].max(0.0).sqrt() * natural(k).powi(2)).sum()
+}
+
 fn has_beams(machine: &Machine) -> bool {
-    machine.compiled.mechanism.bodies.iter().any(|body| body.beam.is_some())
+    machine.compiled.mechanism.bodies.iter().any(|body| body.deforms.is_some())
 }
 
 fn value(machine: &Machine, inputs: &Inputs, of: impl for<'g> Fn(&Laws<'g>) -> Scalar<'g>) -> f64 {

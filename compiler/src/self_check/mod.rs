@@ -128,7 +128,7 @@ impl Check {
             Check::Energy => "the balance of energies and powers",
             Check::Friction => "the power of friction with what takes energy out",
             Check::Springs => "the power of a spring against what it stores",
-            Check::Beams => "beams against their slices and Lagrange's equations",
+            Check::Beams => "bodies that deform against their slices and Lagrange's equations",
             Check::Solution => "accelerations and multipliers put into the equations",
             Check::Baumgarte => "stabilised accelerations and multipliers put into the equations",
             Check::Motions => "motions of the bodies against differences of each other",

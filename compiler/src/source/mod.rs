@@ -8,6 +8,7 @@ mod brought;
 mod csv;
 mod delimiters;
 pub mod disk;
+mod flex;
 mod invocations;
 mod lexer;
 mod macro_rules;
@@ -18,11 +19,12 @@ mod tokens;
 pub mod written;
 
 pub(crate) use brought::brought;
+pub use flex::modes;
 pub use invocations::{Invocation, invocations, is_rust};
 pub(crate) use shelf::{FileOf, Shelf};
 pub use shelf::{PARTS, library};
 pub use snippet::{compile_errors, warnings};
-pub(crate) use tables::read_tables;
+pub(crate) use tables::read_files;
 pub(crate) use tokens::definition_at;
 pub use tokens::{Tokens, definition};
 

@@ -1,7 +1,7 @@
 //! Numbers of tables that stand in files: read beside the file that names them, before anything is known of their meaning.
 
 use super::csv::{self, Sheet, Wrong};
-use super::{FileOf, disk};
+use super::{FileOf, disk, flex};
 use crate::diagnostics::{Diagnostics, Region};
 use crate::messages;
 use crate::syntax::{
@@ -11,9 +11,10 @@ use crate::syntax::{
 /// What is wrong, and where it is to be said.
 type Misread = (Region, String);
 
-/// Puts the numbers of files into the tables that name them.
-pub fn read_tables(definition: &mut Definition, file_of: FileOf) -> Result<(), Diagnostics> {
+/// Puts the numbers of files into the tables and bodies that name them.
+pub fn read_files(definition: &mut Definition, file_of: FileOf) -> Result<(), Diagnostics> {
     let mut errors = Diagnostics::new();
+    flex::read_bodies(definition, file_of, &mut errors);
     for table in &mut definition.tables {
         let TableData::File(file) = &table.data else { continue };
         match data(table, file, file_of) {
@@ -55,7 +56,7 @@ fn data(table: &TableTerm, file: &FileTerm, file_of: FileOf) -> Result<(TableDat
 }
 
 /// A number as if it were written where the file is named.
-fn term(value: f64, region: Region) -> Term {
+pub(super) fn term(value: f64, region: Region) -> Term {
     let number = |value: f64| TermKind::Number { text: format!("{value:?}"), unit: None };
     let positive = Term { kind: number(value.abs()), region, height: 0 };
     if value.is_sign_negative() && value != 0.0 {

@@ -4,7 +4,7 @@ use super::attributes::Bearer;
 use super::definition::{BeamTerm, Body, Label, Marker, MarkerAxes, Space};
 use super::parser::{Failed, Parsed, Parser};
 use super::token::Cursor;
-use crate::forms::BodyForm;
+use crate::forms::{BodyForm, Deforms};
 use crate::messages;
 use proc_macro2::Delimiter;
 
@@ -22,6 +22,7 @@ impl Parser<'_> {
     pub fn body(&mut self, c: &mut Cursor, form: &'static BodyForm) -> Parsed<()> {
         let name = self.declared(c, "the name of the body")?;
         let name = self.own(name);
+        let modal = if form.is_modal() { Some(self.modal(c, &name)?) } else { None };
         let mut inside = self.group(c, Delimiter::Brace)?;
         let mut body = Body {
             name,
@@ -35,6 +36,7 @@ impl Parser<'_> {
             lines: Vec::new(),
             toothings: Vec::new(),
             beam: BeamTerm::default(),
+            modal,
         };
         while !inside.is_done() {
             let before = inside.clone();
@@ -58,9 +60,16 @@ impl Parser<'_> {
     fn property_after(&mut self, c: &mut Cursor, body: &mut Body) -> Parsed<()> {
         let (form, space) = (body.form, self.definition.space);
         let (allowed, vectors) = (form.properties(space), form.vectors(space));
+        if form.is_modal()
+            && let Some(read) = self.of_modal(c, body)
+        {
+            return read;
+        }
         match c.word() {
-            Some(word) if form.bends && super::beam::WORDS.contains(&word) => self.of_beam(c, body, space),
-            Some("line") if form.bends => self.fail(c.region(), messages::line_on_beam(&body.name.text)),
+            Some(word) if form.is_beam() && super::beam::WORDS.contains(&word) => {
+                self.of_beam(c, body, space)
+            }
+            Some("line") if form.is_beam() => self.fail(c.region(), messages::line_on_beam(&body.name.text)),
             Some("point" | "line" | "marker") if !form.turns => {
                 self.fail(c.region(), messages::particle_with_places(&body.name.text))
             }
@@ -73,7 +82,7 @@ impl Parser<'_> {
                 body.points.push((name, pair));
                 Ok(())
             }
-            Some("toothing") if form.bends => {
+            Some("toothing") if form.is_beam() => {
                 self.fail(c.region(), messages::toothing_on_beam(&body.name.text))
             }
             Some("toothing") => {
@@ -88,7 +97,7 @@ impl Parser<'_> {
                 body.lines.push(line);
                 Ok(())
             }
-            Some("marker") if form.bends && space == Space::Spatial => {
+            Some("marker") if form.is_beam() && space == Space::Spatial => {
                 self.fail(c.region(), messages::marker_on_beam(&body.name.text))
             }
             Some("marker") => {
@@ -97,7 +106,7 @@ impl Parser<'_> {
                 body.markers.push(marker);
                 Ok(())
             }
-            Some("surface") if form.bends => {
+            Some("surface") if form.is_beam() => {
                 self.fail(c.region(), messages::surface_on_beam(&body.name.text))
             }
             Some("surface") => {
@@ -169,7 +178,11 @@ impl Parser<'_> {
                 Ok(())
             }
             Some(word) => {
-                let of_beam: &[&str] = if form.bends { &super::beam::WORDS } else { &[] };
+                let of_beam: &[&str] = match form.deforms {
+                    Deforms::Beam => &super::beam::WORDS,
+                    Deforms::Modal => &["modes"],
+                    Deforms::Not => &[],
+                };
                 let allowed: Vec<&str> = allowed.iter().chain(&vectors).chain(of_beam).copied().collect();
                 let message = messages::unknown_property(form.word, word, &allowed, &self.statement_words());
                 self.fail(c.region(), message)

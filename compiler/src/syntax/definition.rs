@@ -2,6 +2,7 @@
 //! and nothing converted. Every part keeps its place in the source.
 
 mod contacts;
+mod modal;
 mod parts;
 mod tables;
 mod terms;
@@ -12,6 +13,7 @@ use crate::forms::BodyForm;
 pub use crate::forms::Space;
 use crate::forms::{CouplingForm, JointForm, LoadForm, Proportion, ToothingForm};
 pub use contacts::{Contact, ContactLawTerm, ContactTerm, Material, Surface};
+pub use modal::{ModalTerm, NodeTerm, ReadModes};
 pub use parts::{Given, OnDisk, PartFile, PartUse, PortKind};
 use proc_macro2::TokenStream;
 use std::collections::BTreeSet;
@@ -112,6 +114,8 @@ pub struct Body {
     pub toothings: Vec<Toothing>,
     /// Of a beam: what is not a value.
     pub beam: BeamTerm,
+    /// Of a body with the modes of a file.
+    pub modal: Option<ModalTerm>,
 }
 
 /// `toothing rim: external(teeth = 20, module [mm] = 2, at = shaft.seat);`

@@ -4,6 +4,7 @@
 use super::definition::*;
 use crate::beams::Way;
 use crate::forms::{Argument, Interpolation, Outside, Value};
+use crate::modal::Reduced;
 
 /// The definition as one line of JSON.
 pub fn definition_json(definition: &Definition) -> String {
@@ -292,7 +293,10 @@ impl Writer {
                 w.key(&label.text).entry(entry);
             }
         });
-        if body.form.bends {
+        if let Some(reduced) = body.reduced() {
+            self.key("modal").object(|w| w.reduced(reduced));
+        }
+        if body.form.is_beam() {
             self.key("beam").object(|w| w.beam(&body.beam, space));
         }
         if space == Space::Spatial {
@@ -352,6 +356,32 @@ impl Writer {
         if beam.stiffens() {
             self.key("stiffening").raw("true");
         }
+    }
+
+    /// In the order of the modes that are taken.
+    fn reduced(&mut self, of: &Reduced) {
+        self.key("mass").raw(&format!("{:?}", of.mass));
+        self.key("center").numbers(&of.center);
+        self.key("inertia").rows(&of.inertia);
+        self.key("momentum").rows(&of.momentum);
+        self.key("angular_momentum").rows(&of.angular_momentum);
+        self.key("moments").rows(&of.moments);
+        self.key("generalised_mass").rows(&of.generalised_mass);
+        self.key("stiffness").rows(&of.stiffness);
+        self.key("modes").array(&of.numbers, |w, number| w.raw(&number.to_string()));
+        self.key("nodes").list(&of.nodes, |w, node| {
+            w.key("at").numbers(&node.at);
+            w.key("shifts").rows(&node.shifts);
+            w.key("turns").rows(&node.turns);
+        });
+    }
+
+    fn numbers(&mut self, of: &[f64]) {
+        self.array(of, |w, number| w.raw(&format!("{number:?}")));
+    }
+
+    fn rows<R: AsRef<[f64]>>(&mut self, of: &[R]) {
+        self.array(of, |w, row| w.numbers(row.as_ref()));
     }
 
     fn joint(&mut self, joint: &Joint, definition: &Definition) {

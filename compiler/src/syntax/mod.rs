@@ -9,6 +9,7 @@
 //!             "input" name unit? ";"
 //!             "gravity" unit? "=" pair ";"
 //!             ("body" | "rod" | "disk" | "box" | "particle" | "beam") name "{" property* "}"
+//!             "flexible" name "(" "file" "=" text ")" "{" property* "}"
 //!             "line" name "=" "(" place "," place ")" ";"                      a line of the ground
 //!             "joint" name ":" kind "(" places, named arguments ")" ";"
 //!             "constraint" name ":" (gear(a, b, ratio = …) | rack(a, b, radius = …) | expr "=" expr) ";"
@@ -50,6 +51,7 @@ mod friction;
 mod habits;
 mod header;
 mod index;
+mod modal;
 mod parser;
 mod parts;
 mod scope;

@@ -77,14 +77,9 @@ impl Parser<'_> {
         c.advance();
         let mut inside = self.group(c, Delimiter::Parenthesis)?;
         let region = inside.region();
-        let name = match inside.advance() {
-            Some(token) if matches!(token.kind, Kind::Text(_)) => {
-                let text = syn::parse2::<syn::LitStr>(token.original.clone().into()).ok();
-                text.map(|text| text.value()).filter(|name| !name.is_empty())
-            }
-            _ => None,
+        let Some(name) = file_name(&mut inside) else {
+            return self.fail(region, messages::table_file_without_name());
         };
-        let Some(name) = name else { return self.fail(region, messages::table_file_without_name()) };
         let mut skip = 0;
         if inside.eat_punct(',') {
             if !inside.eat_word("skip") {
@@ -194,4 +189,11 @@ impl Parser<'_> {
         c.advance();
         Ok(ColumnTerm { text, region })
     }
+}
+
+/// `"cam.csv"`
+pub(super) fn file_name(c: &mut Cursor) -> Option<String> {
+    let token = c.advance().filter(|token| matches!(token.kind, Kind::Text(_)))?;
+    let text = syn::parse2::<syn::LitStr>(token.original.clone().into()).ok();
+    text.map(|text| text.value()).filter(|name| !name.is_empty())
 }

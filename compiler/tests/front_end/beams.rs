@@ -396,7 +396,9 @@ fn frequencies_that_are_expected() {
         assert_eq!(with(&format!("frequency(rod.bending[{mode}]) <= {above} [Hz];")), "");
         let missed = with(&format!("frequency(rod.bending[{mode}]) >= {above} [Hz];"));
         assert!(
-            missed.contains(" Hz expected: change the section, the length or the material of the beam"),
+            missed.contains(
+                " Hz expected: change the section, the length or the material, or the finite element model"
+            ),
             "{missed}"
         );
         let missed = with(&format!("frequency(rod.bending[{mode}]) <= {below} [Hz];"));
@@ -406,7 +408,7 @@ fn frequencies_that_are_expected() {
         ("frequency(rod.bending[3]) >= 1 [Hz];", "`rod` has no mode `rod.bending[3]`"),
         (
             "frequency(rail.travel) >= 1 [Hz];",
-            "` is no mode of a beam, which has a frequency by itself: write `frequency(coupler.bending[0]) >= 200 [Hz]`",
+            "` is no mode of a body that deforms, which has a frequency by itself: write `frequency(coupler.bending[0]) >= 200 [Hz]`",
         ),
         ("frequency(rod.bending[0]) = 1 [Hz];", "expected `>=` or `<=` and a frequency"),
         ("frequency(rod.bending[0]) >= 1 [m];", "frequency is given a length: expected 1/s, found m"),

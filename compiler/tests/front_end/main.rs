@@ -6,6 +6,7 @@ mod contacts;
 mod coverage;
 mod definitions;
 mod files;
+mod flexible;
 mod gears;
 mod habits;
 mod hysteresis;

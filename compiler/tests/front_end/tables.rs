@@ -29,6 +29,9 @@ fn bodies(space: Space) -> String {
 
 /// What must be stated, then what may be.
 fn properties(body: &BodyForm, solid: &Solid) -> String {
+    if body.is_modal() {
+        return "its file".to_string();
+    }
     let mut names = vec![code("mass")];
     if solid.has_size() {
         names.push("`size = (a, b, c)`".to_string());
@@ -46,6 +49,9 @@ fn properties(body: &BodyForm, solid: &Solid) -> String {
 
 /// `m (3 radius² + length²)/12`, about each axis in space.
 fn inertia(body: &BodyForm, solid: &Solid, space: Space) -> String {
+    if body.is_modal() {
+        return "that of its file".to_string();
+    }
     let Some(moments) = &solid.moments else { return "as written".to_string() };
     let edge = |name: &str| match solid.lengths.iter().find(|length| length.name == name) {
         Some(length) => length.of_size.map_or(name, |component| ["a", "b", "c"][component]).to_string(),

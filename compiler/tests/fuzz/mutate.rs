@@ -109,7 +109,7 @@ fn foreign_statement(random: &mut Random, tokens: &mut Vec<String>, other: &[Str
 
 /// A statement that fits the names of the definition: `J` is a joint, `B` a body, `P` a place, `Q` a quantity, `L` a
 /// load, `X` a value, `#` a number.
-const TEMPLATES: [&str; 43] = [
+const TEMPLATES: [&str; 45] = [
     "joint new : revolute ( P , P ) ;",
     "joint new : revolute ( P , P , axis = ( # , # , # ) ) ;",
     "joint new : fixed ( P , P ) ;",
@@ -150,6 +150,7 @@ const TEMPLATES: [&str; 43] = [
     "param new [ 1 ] = # in # .. # ;",
     "particle new { mass [ kg ] = # ; }",
     "rod new { mass [ kg ] = X ; length [ m ] = # ; }",
+    "flexible new ( file = \"new.flex\" ) { point tip = node ( # ) ; modes = 1 .. # ; damping_ratio = X ; }",
     "beam new { mass [ kg ] = X ; length [ m ] = # ; young [ GPa ] = # ; area [ m^2 ] = # ; second_moment [ m^4 ] = # ; }",
     "modes = ( axial = # , bending = # ) ;",
     "modes = ( bending_y = # , torsion = # ) ; shear_modulus [ GPa ] = # ;",
@@ -169,8 +170,12 @@ fn new_statement(random: &mut Random, tokens: &mut Vec<String>, _: &[String]) {
 fn filled(random: &mut Random, tokens: &[String], piece: &str) -> Vec<String> {
     let split = |text: String| text.split(' ').map(str::to_string).collect();
     let joints = || declared(tokens, &["joint"]);
-    let bodies =
-        || declared(tokens, &["body", "rod", "disk", "box", "particle", "sphere", "cylinder", "beam"]);
+    let bodies = || {
+        declared(
+            tokens,
+            &["body", "rod", "disk", "box", "particle", "sphere", "cylinder", "beam", "flexible"],
+        )
+    };
     match piece {
         "J" => vec![one(random, &joints())],
         "B" => vec![one(random, &bodies())],
@@ -244,7 +249,7 @@ fn swap_names(random: &mut Random, tokens: &mut Vec<String>, _: &[String]) {
 
 /// Words that may stand in one another's place.
 const CLASSES: [&str; 11] = [
-    "body rod disk box sphere cylinder particle beam",
+    "body rod disk box sphere cylinder particle beam flexible",
     "revolute prismatic fixed distance spherical universal cylindrical planar screw constant_velocity point_on_line \
      point_on_plane",
     "angle rate travel speed x y z velocity origin center start end angle_1 rate_1 angle_2 travel_2",

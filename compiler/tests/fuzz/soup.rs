@@ -3,7 +3,7 @@
 use super::random::Random;
 
 /// Everything that stands for something somewhere.
-const WORDS: &str = "planar spatial pub const param input gravity body rod disk box sphere cylinder particle beam marker line \
+const WORDS: &str = "planar spatial pub const param input gravity body rod disk box sphere cylinder particle beam flexible node marker line \
     joint constraint drive force torque spring damper torsion_spring start options expect output repeat gear bevel worm \
     belt rack screw differential revolute prismatic fixed distance point_on_line point_on_plane universal spherical \
     cylindrical planar constant_velocity mass inertia length radius width height size density center point products \

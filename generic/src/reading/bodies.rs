@@ -24,6 +24,9 @@ impl<'t> Reader<'t> {
 
     fn body(&self, node: &'t Value, own: &str) -> Read<Body> {
         let kind = text(node, "kind", own)?;
+        if kind == "flexible" {
+            return Err(DefinitionError::not_there_yet(own, "bodies with the modes of a file"));
+        }
         if !matches!(kind, "body" | "rod" | "disk" | "box" | "sphere" | "cylinder" | "particle" | "beam") {
             return Err(DefinitionError::kind(own, kind));
         }

@@ -17,6 +17,7 @@ mod hysteresis;
 mod impacts;
 mod linkages;
 mod meshes;
+mod modal;
 mod parts;
 mod planets;
 mod quick_return;

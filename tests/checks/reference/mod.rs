@@ -21,7 +21,7 @@ use std::path::{Path, PathBuf};
 pub fn models() -> Vec<(&'static str, &'static str, &'static str)> {
     macro_rules! list {
         ($($name:ident: $model:path),* $(,)?) => {{
-            vec![$({ use $model as Model; (stringify!($name), Model::SOURCE, Model::DEFINITION) }),*]
+            vec![$((stringify!($name), <$model as crate::registry::Model>::SOURCE, <$model>::DEFINITION)),*]
         }};
     }
     linkwright_models::for_each_model!(list)
@@ -85,7 +85,7 @@ fn recorded_models() -> Vec<(&'static str, &'static str, &'static str)> {
 fn zoo() -> Vec<(&'static str, &'static str, &'static str)> {
     macro_rules! list {
         ($($name:ident: $model:path),* $(,)?) => {{
-            vec![$({ use $model as Model; (stringify!($name), Model::SOURCE, Model::DEFINITION) }),*]
+            vec![$((stringify!($name), <$model as crate::registry::Model>::SOURCE, <$model>::DEFINITION)),*]
         }};
     }
     crate::zoo::for_each_in_zoo!(list)

@@ -2,6 +2,7 @@
 //! expanded and type-checked here once; their code is generated in each program that runs them.
 
 pub mod everything;
+pub mod files;
 #[path = "../../runtime_fuzz/random.rs"]
 pub mod random;
 pub mod registry;
@@ -15,6 +16,7 @@ pub mod zoo_gates;
 pub mod zoo_gears;
 pub mod zoo_hysteresis;
 pub mod zoo_laws;
+pub mod zoo_modal;
 pub mod zoo_parts;
 pub mod zoo_rubbing;
 pub mod zoo_space;

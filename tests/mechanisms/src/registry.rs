@@ -94,7 +94,11 @@ pub struct At<M: Model> {
 macro_rules! model {
     ($($first:tt $(:: $segment:ident)*),* $(,)?) => { $(
         impl $crate::registry::Model for $first $(:: $segment)* <f64> {
-            const SOURCE: &'static str = Self::SOURCE;
+            const SOURCE: &'static str = {
+                const WRITTEN: &str = <$first $(:: $segment)* <f64>>::SOURCE;
+                const BYTES: [u8; $crate::files::length(WRITTEN)] = $crate::files::from_the_root(WRITTEN);
+                $crate::files::text(&BYTES)
+            };
             type Single = $first $(:: $segment)* <f32>;
 
             fn standard() -> Self {

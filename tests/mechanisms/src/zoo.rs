@@ -217,6 +217,8 @@ macro_rules! for_each_in_zoo {
             bent_loop: $crate::zoo_beams_in_space::BentLoop,
             twisted_in_space: $crate::zoo_beams_in_space::TwistedInSpace,
             twisted_loop: $crate::zoo_beams_in_space::TwistedLoop,
+            cantilever: $crate::zoo_modal::Cantilever,
+            block: $crate::zoo_modal::Block,
             winch: $crate::zoo_cables::Winch,
             hoisted: $crate::zoo_cables::Hoisted,
             touching: $crate::zoo_contacts::Touching,

@@ -13,7 +13,7 @@ use super::{drivers, geometry, loose, messages, pins};
 use crate::diagnostics::{Diagnostic, Diagnostics, Note, Region, Severity};
 use crate::equations::conditions;
 use crate::forms::RowForm;
-use crate::model::{Coordinate, Mechanism, Redundant};
+use crate::model::{Coordinate, Deforms, Mechanism, Redundant};
 use crate::numbers::coordinate;
 use std::fmt;
 
@@ -103,10 +103,7 @@ fn mobility(at: &Assembled, point: &mut Point, rank: &Rank, finding: &Finding) -
     let apart: usize = mechanism
         .bodies
         .iter()
-        .map(|body| {
-            body.form.freedoms(mechanism.space)
-                + body.beam.as_ref().map_or(0, |beam| beam.slender.modes.len())
-        })
+        .map(|body| body.form.freedoms(mechanism.space) + body.deforms.as_ref().map_or(0, Deforms::modes))
         .sum();
     let mut repeated = finding.repeated.clone();
     repeated.sort_unstable();

@@ -41,10 +41,9 @@ pub use point::{Ancestry, Point, live, retract};
 pub use scales::row_scales;
 
 use super::messages;
-use crate::beams::Shapes;
 use crate::diagnostics::Diagnostics;
 use crate::equations::{Ball, Condition, Conditions, Equations, Linear, Omitted, Rotation, RowOfJoint};
-use crate::model::{BodyId, Coordinate, JointId, Mechanism, Rotor, Space};
+use crate::model::{BodyId, Coordinate, Deforms, JointId, Mechanism, Rotor, Space};
 use crate::solve::Massless;
 use crate::symbolic::Node;
 use along::Walk;
@@ -308,8 +307,12 @@ fn center_place(mechanism: &Mechanism, body: BodyId) -> crate::model::Place {
         frame: crate::model::Frame::Body(body),
         at: definition.center.clone(),
         axes: crate::model::Axes::Parallel,
-        of_mean: definition.beam.as_ref().is_some_and(|beam| beam.slender.shapes == Shapes::Free),
-        text: format!("{}.{}", definition.name.text, if definition.form.bends { "origin" } else { "center" }),
+        of_mean: definition.deforms.as_ref().is_some_and(Deforms::has_mean_frame),
+        text: format!(
+            "{}.{}",
+            definition.name.text,
+            if definition.form.bends() { "origin" } else { "center" }
+        ),
         span: definition.name.span,
     }
 }

@@ -2,7 +2,7 @@
 //! in `beams`, its equations in `equations/plane/flexible.rs` and `equations/space/flexible.rs`; what it has about its own axis follows
 //! from its section.
 
-use crate::forms::{BodyForm, Length, Moment, Outline, Solid};
+use crate::forms::{BodyForm, Deforms, Length, Moment, Outline, Solid};
 
 const LENGTHS: &[Length] = &[Length::needed("length")];
 const ACROSS: Moment = Moment::new(&[(1.0, "length")], 12.0);
@@ -19,6 +19,6 @@ pub static BODY: BodyForm = BodyForm {
     turns: true,
     states_center: false,
     has_ends: true,
-    bends: true,
+    deforms: Deforms::Beam,
     outline: Outline::Bar,
 };

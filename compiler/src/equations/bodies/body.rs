@@ -1,6 +1,6 @@
 //! A body of any shape, whose inertia is stated.
 
-use crate::forms::{BodyForm, Outline, Solid};
+use crate::forms::{BodyForm, Deforms, Outline, Solid};
 
 static STATED: Solid = Solid { lengths: &[], moments: None, volume: None };
 
@@ -12,6 +12,6 @@ pub static BODY: BodyForm = BodyForm {
     turns: true,
     states_center: true,
     has_ends: false,
-    bends: false,
+    deforms: Deforms::Not,
     outline: Outline::None,
 };

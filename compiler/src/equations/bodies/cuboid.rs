@@ -1,6 +1,6 @@
 //! A box of three edges along x, y, z: m (b² + c²)/12 about the first, and so on.
 
-use crate::forms::{BodyForm, Length, Moment, Outline, Solid, Volume};
+use crate::forms::{BodyForm, Deforms, Length, Moment, Outline, Solid, Volume};
 
 const EDGES: [&str; 3] = ["size along x", "size along y", "size along z"];
 
@@ -24,6 +24,6 @@ pub static BODY: BodyForm = BodyForm {
     turns: true,
     states_center: false,
     has_ends: false,
-    bends: false,
+    deforms: Deforms::Not,
     outline: Outline::Box,
 };

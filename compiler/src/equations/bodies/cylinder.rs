@@ -1,6 +1,6 @@
 //! A cylinder along x, in space: m r²/2 along it, m (3 r² + L²)/12 across.
 
-use crate::forms::{BodyForm, Length, Moment, Outline, Solid, Volume};
+use crate::forms::{BodyForm, Deforms, Length, Moment, Outline, Solid, Volume};
 use std::f64::consts::PI;
 
 pub(super) const ALONG: Moment = Moment::new(&[(1.0, "radius")], 2.0);
@@ -19,6 +19,6 @@ pub static BODY: BodyForm = BodyForm {
     turns: true,
     states_center: false,
     has_ends: true,
-    bends: false,
+    deforms: Deforms::Not,
     outline: Outline::Bar,
 };

@@ -1,6 +1,6 @@
 //! A disk across z: m r²/2 about it, m (3 r² + t²)/12 across.
 
-use crate::forms::{BodyForm, Length, Moment, Outline, Solid, Volume};
+use crate::forms::{BodyForm, Deforms, Length, Moment, Outline, Solid, Volume};
 use std::f64::consts::PI;
 
 const LENGTHS: &[Length] = &[Length::needed("radius"), Length::optional("thickness")];
@@ -20,6 +20,6 @@ pub static BODY: BodyForm = BodyForm {
     turns: true,
     states_center: false,
     has_ends: false,
-    bends: false,
+    deforms: Deforms::Not,
     outline: Outline::Disk,
 };

@@ -5,6 +5,7 @@ mod body;
 mod cuboid;
 mod cylinder;
 mod disk;
+mod flexible;
 mod particle;
 mod rod;
 mod sphere;
@@ -21,4 +22,5 @@ pub static BODIES: &[&BodyForm] = &[
     &cylinder::BODY,
     &particle::BODY,
     &beam::BODY,
+    &flexible::BODY,
 ];

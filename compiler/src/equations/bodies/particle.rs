@@ -1,6 +1,6 @@
 //! A point mass: position only.
 
-use crate::forms::{BodyForm, Moment, Outline, Solid};
+use crate::forms::{BodyForm, Deforms, Moment, Outline, Solid};
 
 static POINT: Solid =
     Solid { lengths: &[], moments: Some([Moment::NONE, Moment::NONE, Moment::NONE]), volume: None };
@@ -13,6 +13,6 @@ pub static BODY: BodyForm = BodyForm {
     turns: false,
     states_center: false,
     has_ends: false,
-    bends: false,
+    deforms: Deforms::Not,
     outline: Outline::None,
 };

@@ -1,7 +1,7 @@
 //! A round rod along x, in the plane and in space: m r²/2 along it, m (3 r² + L²)/12 across.
 
 use super::cylinder::{ACROSS, ALONG, VOLUME};
-use crate::forms::{BodyForm, Length, Moment, Outline, Solid};
+use crate::forms::{BodyForm, Deforms, Length, Moment, Outline, Solid};
 
 const LENGTHS: &[Length] = &[Length::needed("length"), Length::optional("radius")];
 
@@ -17,6 +17,6 @@ pub static BODY: BodyForm = BodyForm {
     turns: true,
     states_center: false,
     has_ends: true,
-    bends: false,
+    deforms: Deforms::Not,
     outline: Outline::Bar,
 };

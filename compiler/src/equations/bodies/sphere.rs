@@ -1,6 +1,6 @@
 //! A solid sphere, in space: 2 m r²/5.
 
-use crate::forms::{BodyForm, Length, Moment, Outline, Solid, Volume};
+use crate::forms::{BodyForm, Deforms, Length, Moment, Outline, Solid, Volume};
 use std::f64::consts::PI;
 
 const MOMENT: Moment = Moment::new(&[(2.0, "radius")], 5.0);
@@ -17,6 +17,6 @@ pub static BODY: BodyForm = BodyForm {
     turns: true,
     states_center: false,
     has_ends: false,
-    bends: false,
+    deforms: Deforms::Not,
     outline: Outline::Ball,
 };

@@ -55,7 +55,7 @@ fn enumerate(mechanism: &Mechanism, tree: &SpanningTree) -> Enumeration {
                 turns && !form.keeps_orientation
             }
         };
-        if let Some(beam) = &mechanism.bodies[body.0].beam {
+        if let Some(beam) = mechanism.bodies[body.0].beam() {
             let linear = &mut found.layout.linear;
             found.modes.insert(*body, linear.len());
             linear.extend((0..beam.slender.modes.len()).map(|mode| Linear::Mode(*body, mode)));
@@ -147,7 +147,7 @@ fn free(laws: &Laws, body: BodyId, frame: FrameId, index: usize, flexible: Optio
 
 /// The modes of a beam, whose coordinates stand side by side.
 fn flexible(symbols: &Symbols, mechanism: &Mechanism, body: BodyId, first: usize) -> Option<Flexible> {
-    let beam = mechanism.bodies[body.0].beam.as_ref()?;
+    let beam = mechanism.bodies[body.0].beam()?;
     let modal = |index: usize| Modal {
         value: symbols.q[index],
         rate: symbols.v[index],

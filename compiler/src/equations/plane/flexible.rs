@@ -284,7 +284,7 @@ pub(super) fn potential_energy<'g>(
         }
     }
     for (index, beam) in laws.mechanism.bodies.iter().enumerate() {
-        let (Some(beam), Some(flexible)) = (&beam.beam, &kinematics.bare.bodies[index].flexible) else {
+        let (Some(beam), Some(flexible)) = (beam.beam(), &kinematics.bare.bodies[index].flexible) else {
             continue;
         };
         for (mode, modal) in flexible.modes.iter().enumerate() {
@@ -299,7 +299,7 @@ pub(super) fn elastic_forces<'g>(laws: &Laws<'g>) -> Vec<(usize, Scalar<'g>)> {
     let (g, kinematics) = (laws.g, laws.plane());
     let mut forces = Vec::new();
     for (index, body) in laws.mechanism.bodies.iter().enumerate() {
-        let (Some(beam), Some(flexible)) = (&body.beam, &kinematics.bare.bodies[index].flexible) else {
+        let (Some(beam), Some(flexible)) = (body.beam(), &kinematics.bare.bodies[index].flexible) else {
             continue;
         };
         for (mode, modal) in flexible.modes.iter().enumerate() {

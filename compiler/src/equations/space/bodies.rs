@@ -5,7 +5,7 @@
 //! Newton–Euler equations of the bodies, from the leaves of the tree inwards.
 
 use super::dynamics::{self, LinkMotion, inertia_in_body};
-use super::flexible::{Flexible, Spread};
+use super::flexible::{self, Flexible, Spread};
 use super::kinematics::Kinematics;
 use super::links::{GROUND, Link, Motion, Placement};
 use super::vector::{self, Mat3, Vec3};
@@ -142,7 +142,7 @@ fn overlay<'g>(laws: &Laws<'g>, motions: &[Moving<'g>]) -> Kinematics {
     overlay
 }
 
-/// The modes of a beam with velocities of their own, behind those of the bodies.
+/// The modes of a body with velocities of their own, behind those of the bodies.
 fn flexible_behind(laws: &Laws, body: usize, velocities: &mut Vec<Node>) -> Option<Flexible> {
     let own = laws.space()?.bare;
     let mut flexible = own.bodies[body].flexible.clone()?;
@@ -243,9 +243,9 @@ fn inertia_of_beam<'g>(
     let flexible = kinematics.bare.bodies[index].flexible.as_ref()?;
     let body = &laws.mechanism.bodies[index];
     let mass = laws.value(&body.mass);
-    let spin = mass * laws.value(&body.beam.as_ref()?.spin);
+    let turning = flexible::turning_factor(laws, mass, body.deforms.as_ref()?);
     let frame = Placement::of_ground(g);
-    let beam = Spread::new(kinematics, &frame, flexible, mass, spin);
+    let beam = Spread::new(kinematics, &frame, flexible, mass, turning);
     let acceleration = gravity.map_or(motion.acceleration, |gravity| motion.acceleration - gravity);
     let back = motion.axes.transposed();
     let moved = LinkMotion::new(motion.omega, motion.alpha, back * motion.velocity, back * acceleration);

@@ -5,10 +5,11 @@ use super::flexible::{Flexible, Modal};
 use super::joints::{self, Elementary};
 use super::kinematics::Kinematics;
 use super::links::{GROUND, Link, LinkId, Motion, Placement};
+use super::shapes::{Shapes, Station};
 use super::vector::{self, Mat3, Vec3};
 use crate::equations::coordinates::{Ball, Layout, Linear, MultiTurn, Rotation, Symbols, symbols};
 use crate::equations::{Attachment, Laws, SpanningTree};
-use crate::model::{BodyId, Expr, Frame, JointId, Mechanism, Place, Rotor, fold};
+use crate::model::{BodyId, Deforms, Frame, JointId, Mechanism, Place, Rotor, fold};
 use crate::symbolic::{Growing, On, Scalar, Sheet};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -62,7 +63,7 @@ fn layout(mechanism: &Mechanism, tree: &SpanningTree) -> Layout {
     for Attachment { body, joint } in &tree.attachments {
         let definition = &mechanism.bodies[body.0];
         let turns = definition.form.turns;
-        let modes = definition.beam.as_ref().map_or(0, |beam| beam.slender.modes.len());
+        let modes = definition.deforms.as_ref().map_or(0, Deforms::modes);
         let Some((id, _)) = joint else {
             layout.linear.extend((0..3).map(|axis| Linear::Center(*body, axis)));
             layout.linear.extend((0..modes).map(|mode| Linear::Mode(*body, mode)));
@@ -183,13 +184,13 @@ impl<'a> Builder<'a> {
         Placement { link: cursor.link, at: (-center).bare, axes: identity.bare, flexible }
     }
 
-    /// The modes of a beam, whose coordinates stand side by side.
+    /// The modes of a body, whose coordinates stand side by side.
     fn flexible(&self, body: BodyId) -> Option<Flexible> {
-        let beam = self.laws.mechanism.bodies[body.0].beam.as_ref()?;
+        let deforms = self.laws.mechanism.bodies[body.0].deforms.as_ref()?;
         let first = self.layout.linear.iter().position(|own| *own == Linear::Mode(body, 0))?;
         let modal = |velocity: usize| Modal { value: self.q(velocity).bare, velocity };
-        let modes = (first..first + beam.slender.modes.len()).map(modal).collect();
-        Some(Flexible { slender: beam.slender.clone(), modes })
+        let modes = (first..first + deforms.modes()).map(modal).collect();
+        Some(Flexible { shapes: Shapes::of(deforms), modes })
     }
 
     /// A body on the joint that carries it; `parent` is `None` for the ground.
@@ -214,7 +215,7 @@ impl<'a> Builder<'a> {
                     Cursor { link: GROUND, at: g.on(foot.at), axes: near_axes }
                 }
             }
-            Some(parent) => match self.section(near) {
+            Some(parent) => match self.section(parent, near) {
                 Some(link) => Cursor { link, at: vector::zero(g), axes: near_axes },
                 None => {
                     let at = g.on(parent).point(laws.vector(&near.at));
@@ -261,29 +262,37 @@ impl<'a> Builder<'a> {
         let at = laws.vector(&far.at);
         let at = if particle { laws.vector(&mechanism.bodies[child.0].center) } else { at };
         let flexible = self.flexible(child);
-        if let (Some(flexible), Expr::Number(x)) = (&flexible, &far.at[0]) {
+        if let Some(flexible) = &flexible
+            && let Some(station) = flexible.shapes.station_of(&far.at)
+        {
             cursor.axes = axes;
-            cursor = self.back_from_section(cursor, flexible, *x);
+            cursor = self.back_from_section(cursor, flexible, station);
         }
         let axes = if flexible.is_some() { cursor.axes } else { axes };
         Placement { link: cursor.link, at: (cursor.at - axes * at).bare, axes: axes.bare, flexible }
     }
 
-    /// From a section of a beam to where the place would be if the beam were straight.
-    fn back_from_section(&mut self, mut cursor: Cursor<'a>, flexible: &Flexible, x: f64) -> Cursor<'a> {
-        let g = self.laws.g;
-        if let Some(motion) = flexible.lean(g, &self.kinematics.velocities, x, -1.0) {
+    /// From a section to where the place would be if nothing deformed.
+    fn back_from_section(
+        &mut self,
+        mut cursor: Cursor<'a>,
+        flexible: &Flexible,
+        station: Station,
+    ) -> Cursor<'a> {
+        let (g, rows) = (self.laws.g, flexible.shapes.rows(station));
+        if let Some(motion) = flexible.lean(g, &self.kinematics.velocities, &rows, -1.0) {
             cursor = self.link(cursor, motion);
         }
-        if let Some(motion) = flexible.shift(g, &self.kinematics.velocities, x, -1.0) {
+        if let Some(motion) = flexible.shift(g, &self.kinematics.velocities, &rows, -1.0) {
             cursor = self.link(cursor, motion);
         }
         cursor
     }
 
-    fn section(&self, place: &Place) -> Option<LinkId> {
-        let (Frame::Body(body), Expr::Number(x)) = (place.frame, &place.at[0]) else { return None };
-        self.kinematics.sections.get(&(body.0, x.to_bits())).copied()
+    fn section(&self, of: &Placement, place: &Place) -> Option<LinkId> {
+        let Frame::Body(body) = place.frame else { return None };
+        let station = of.flexible.as_ref()?.shapes.station_of(&place.at)?;
+        self.kinematics.sections.get(&(body.0, station)).copied()
     }
 
     /// The motion of one link of a joint, and the joint frame whose z (or axes) it uses; registers its coordinate.

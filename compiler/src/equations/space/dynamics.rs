@@ -13,6 +13,7 @@ use super::axes;
 use super::flexible::{self, Spread};
 use super::kinematics::Kinematics;
 use super::links::{GROUND, Link, LinkId, Motion};
+use super::shapes::Shapes;
 use super::tensor::{Distribution, Symmetric};
 use super::vector::{self, Mat3, Vec3, vector};
 use crate::equations::{Dynamics, Laws};
@@ -49,8 +50,8 @@ pub fn dynamics<'g>(laws: &Laws<'g>) -> Dynamics<'g> {
     Dynamics { mass, forces, inverse, kinetic_energy, potential_energy, distributions }
 }
 
-/// The kinetic energy of rigid bodies and of slices of beams, by quadrature of ½ μ |ṙ|² and of what sections have as they turn about the axis: what
-/// no algebra of integrals has gone into.
+/// The kinetic energy of rigid bodies and of slices of those that deform, by sums of ½ m |ṙ|² and of what sections have as they turn: what no algebra
+/// of integrals has gone into.
 pub fn kinetic_energy_of_slices<'g>(laws: &Laws<'g>, rule: &crate::beams::Rule) -> Scalar<'g> {
     let Some(kinematics) = laws.space() else { return laws.g.zero() };
     let beams = Spread::all(laws, kinematics);
@@ -60,20 +61,21 @@ pub fn kinetic_energy_of_slices<'g>(laws: &Laws<'g>, rule: &crate::beams::Rule) 
     for (body, placement) in laws.mechanism.bodies.iter().zip(&kinematics.bare.bodies) {
         let Some(flexible) = &placement.flexible else { continue };
         let mass = laws.value(&body.mass);
-        for (share, weight) in rule.points() {
-            let x = flexible.slender.from + share * flexible.slender.length;
-            let at = x * vector::unit(laws.g, 0);
-            let velocity = kinematics.in_world(placement, at).rate();
-            sum += 0.5 * weight * (mass * velocity.dot(velocity));
+        for slice in flexible.shapes.slices(rule) {
+            let velocity = kinematics.slice_in_world(placement, &slice).rate();
+            sum += 0.5 * slice.share * (mass * velocity.dot(velocity));
         }
     }
     let motions = motions(kinematics, None, vector::zero(laws.g));
     let flexible = kinematics.bare.bodies.iter().filter_map(|placement| placement.flexible.as_ref());
     for (beam, flexible) in beams.iter().zip(flexible) {
-        let slender = &flexible.slender;
-        for (share, weight) in rule.points() {
-            let values = slender.slopes(slender.from + share * slender.length);
-            sum += 0.5 * weight * beam.twice_about_axis(motions[beam.link].omega, &values);
+        let omega = motions[beam.link].omega;
+        if let Shapes::Modal(_) = flexible.shapes {
+            sum += 0.5 * beam.twice_turning(omega);
+            continue;
+        }
+        for slice in flexible.shapes.slices(rule) {
+            sum += 0.5 * slice.share * beam.twice_about_axis(omega, &slice.rows);
         }
     }
     sum

@@ -1,18 +1,20 @@
-//! Beams in space, in a floating frame of reference: where their places and sections are, and what their mass has beyond that of a rigid
-//! body at the instant.
+//! Bodies in space that deform, in a floating frame of reference: where their places and sections are, and what their mass has beyond that of a
+//! rigid body at the instant.
 //!
-//! A material point at x is, from the origin of the link in its axes, at Σ_i φ_i w_i: φ = 1 along what leads to the body's origin, x along
-//! e₁, and the shape N_j of a mode along e_j times p_j. With m the mass and C_ik the mean of φ_i φ_k over it (the inertia shape integrals,
+//! A material point is, from the origin of the link in its axes, at Σ_i φ_i w_i: φ = 1 along what leads to the body's origin; of a beam x along
+//! e₁, and the shape N_j of a mode along e_j times p_j; of a finite element model x, y, z along the axes, and the three components of each mode
+//! along these times p_j (`shapes`). With m the mass and C_ik the mean of φ_i φ_k over it (the inertia shape integrals,
 //! Shabana, *Dynamics of Multibody Systems*, 5.5) all integrals are sums of h_i = Σ_k C_ik w_k:
 //!   first moment m h₁, second moments m Σ w_i h_iᵀ, and of a mode the force m C_j1 e_j and the moment m h_j × e_j about the origin.
 //! With stiffening there are the functions D_j and E of [`Means`] too, along e₁. What M leaves of the inertia forces while the modes move is 2 ω × ẇ + ẅ at every point; all else is what the rigid body of the instant
 //! has, which `dynamics` knows.
 //!
-//! Sections that twist by Σ N_t p_t turn by that rate more about e₁, with the moment of inertia about the axis of each, to which the turns of
-//! bending add nothing (no rotary inertia): T = ½ ∫ j (e₁·ω + Σ N_t ṗ_t)² dx, so that with the means ν_j of N_j and ν_jk of N_j N_k and J = ∫ j dx
-//! the body is given the moment J (ν_j p̈_j e₁ + ν_j ṗ_j ω × e₁) and the mode J (ν_j e₁·α + ν_jk p̈_k).
+//! What turns has T = ½ ω·J ω + ω·Σ B_j ṗ_j + ½ ṗ·D ṗ beyond that, with constants in the axes of the body: it gives the body the moment
+//! Σ B_j p̈_j + ω × Σ B_j ṗ_j beside that of J, and the mode B_j·α + Σ D_jk p̈_k. Sections of a beam turn about e₁ by Σ N_t ṗ_t more than its frame, with
+//! the moment of inertia about the axis of each, to which the turns of bending add nothing (no rotary inertia): with J = ∫ j dx and the means ν_j of N_j
+//! and ν_jk of N_j N_k these are J e₁ e₁ᵀ, J ν_j e₁ and J ν_jk.
 //!
-//! A section is turned by φ = (Σ N_t p_t, −Σ N′ p_z, Σ N′ p_y), which the theory knows to first order. What is carried has to be turned by a
+//! A section is turned by φ, of a beam (Σ N_t p_t, −Σ N′ p_z, Σ N′ p_y), which the theory knows to first order. What is carried has to be turned by a
 //! rotation, of which here Cayley's has this first order, without trigonometry: with c = φ/2
 //!   R = 1 + 2 (c̃ + c̃²)/(1 + c²),  ω = (φ̇ − c × φ̇)/(1 + c²) in the axes of the section
 //! (Géradin, Cardona, *Flexible Multibody Dynamics*, 4.6, Rodrigues parameters).
@@ -20,22 +22,22 @@
 use super::dynamics::LinkMotion;
 use super::kinematics::Kinematics;
 use super::links::{Link, LinkId, Motion, Placement};
+use super::shapes::{Rows, Shapes};
 use super::tensor::{Distribution, ENTRIES, Symmetric};
 use super::vector::{self, Mat3, Vec3};
 use super::vector_jet::VectorJet;
-use crate::beams::{Slender, Way};
 use crate::equations::jet::{Jet, Moving};
 use crate::equations::means::{Bent, Means};
 use crate::equations::{Laws, elastic};
-use crate::model::{BodyId, Frame, Mechanism};
+use crate::modal::Rotary;
+use crate::model::{BodyId, Deforms, Frame, Mechanism};
 use crate::symbolic::{Node, On, Scalar, Sheet};
 use std::collections::BTreeMap;
-use std::sync::Arc;
 
 /// The modes of a body.
 #[derive(Clone, Debug)]
 pub struct Flexible {
-    pub slender: Arc<Slender>,
+    pub shapes: Shapes,
     pub modes: Vec<Modal>,
 }
 
@@ -48,28 +50,30 @@ pub struct Modal {
 
 impl Flexible {
     /// The modes with a part in something, and that part times a sign.
-    fn parts(&self, of: Vec<f64>, sign: f64) -> impl Iterator<Item = (Way, Modal, f64)> {
-        let modes = self.slender.modes.iter().zip(&self.modes).zip(of);
-        modes
-            .filter(|(_, part)| *part != 0.0)
-            .map(move |((mode, modal), part)| (mode.way, *modal, sign * part))
+    fn parts<'g>(
+        &self,
+        g: Sheet<'g>,
+        of: &[[f64; 3]],
+        sign: f64,
+    ) -> impl Iterator<Item = (Modal, On<'g, Vec3>)> {
+        let modes = self.modes.iter().zip(of).filter(|(_, part)| part.iter().any(|it| *it != 0.0));
+        modes.map(move |(modal, part)| (*modal, numbers(g, part.map(|it| sign * it))))
     }
 
-    /// How a place is moved from where it is straight, in the axes of the body; `None` where it stays.
-    pub fn shift<'g>(&self, g: Sheet<'g>, velocities: &[Node], x: f64, sign: f64) -> Option<Motion> {
+    /// How a place is moved from where it is while nothing deforms, in the axes of the body; `None` where it stays.
+    pub fn shift<'g>(&self, g: Sheet<'g>, velocities: &[Node], rows: &Rows, sign: f64) -> Option<Motion> {
         let (mut offset, mut bias) = (vector::zero(g), vector::zero(g));
         let mut along: BTreeMap<usize, On<'g, Vec3>> = BTreeMap::new();
         let mut add = |velocity: usize, axis: On<'g, Vec3>| {
             let sum = along.get(&velocity).map_or(axis, |known| *known + axis);
             along.insert(velocity, sum);
         };
-        for (way, modal, part) in self.parts(self.slender.values(x), sign) {
-            let axis = part * vector::unit(g, way.axis());
+        for (modal, axis) in self.parts(g, &rows.shifts, sign) {
             offset += g.on(modal.value) * axis;
             add(modal.velocity, axis);
         }
         // −½ pᵀ Γ p along the axis, its columns −Γ p, and −ṗᵀ Γ ṗ.
-        for (pair, gamma) in self.slender.shortenings.iter().zip(self.slender.shortenings_at(x)) {
+        for (pair, gamma) in self.shapes.shortenings().iter().zip(&rows.gammas) {
             let (j, k) = pair.modes;
             let (one, other) = (self.modes[j], self.modes[k]);
             let axis = -sign * gamma * vector::unit(g, 0);
@@ -87,17 +91,10 @@ impl Flexible {
         (!along.is_empty()).then_some(Motion::Shift { offset: offset.bare, along, bias: bias.bare })
     }
 
-    /// How a section is turned against its place in the straight beam, or back; `None` where it keeps its direction.
-    pub fn lean<'g>(&self, g: Sheet<'g>, velocities: &[Node], x: f64, sign: f64) -> Option<Motion> {
+    /// How a section is turned against its place while nothing deforms, or back; `None` where it keeps its direction.
+    pub fn lean<'g>(&self, g: Sheet<'g>, velocities: &[Node], rows: &Rows, sign: f64) -> Option<Motion> {
         let (mut half, mut rate, mut turns) = (vector::zero(g), vector::zero(g), Vec::new());
-        for (way, modal, slope) in self.parts(self.slender.slopes(x), sign) {
-            // What rises along y turns about z, what rises along z back about y, what twists about x.
-            let about = match way {
-                Way::Axial => continue,
-                Way::Torsion => slope * vector::unit(g, 0),
-                Way::Bending => slope * vector::unit(g, 2),
-                Way::BendingZ => -slope * vector::unit(g, 1),
-            };
+        for (modal, about) in self.parts(g, &rows.turns, sign) {
             half += g.on(modal.value) * (0.5 * about);
             rate += g.on(velocities[modal.velocity]) * about;
             turns.push((modal.velocity, about));
@@ -112,19 +109,17 @@ impl Flexible {
         Some(Motion::Lean { matrix: cayley(half, over), about, bias: bias.bare })
     }
 
-    /// A point of the body on its link, which is at `fixed` while the beam is straight.
+    /// A point of the body on its link, which is at `fixed` while nothing deforms.
     pub fn moved<'g>(
         &self,
         kinematics: On<'g, &'g Kinematics>,
         placement: &Placement,
-        at: On<'g, Vec3>,
+        rows: &Rows,
         fixed: VectorJet,
     ) -> VectorJet {
         let g = kinematics.g;
-        let shift = |x: f64| self.shift(g, &kinematics.bare.velocities, x, 1.0);
-        let Some(Motion::Shift { offset, along, bias }) = at.at(0).value().and_then(shift) else {
-            return fixed;
-        };
+        let shift = self.shift(g, &kinematics.bare.velocities, rows, 1.0);
+        let Some(Motion::Shift { offset, along, bias }) = shift else { return fixed };
         let turned = |w: Vec3| placement.axes * g.on(w);
         let columns: Vec<(usize, On<Vec3>)> =
             along.into_iter().map(|(velocity, axis)| (velocity, turned(axis))).collect();
@@ -154,27 +149,28 @@ fn cayley<'g>(half: On<'g, Vec3>, over: Scalar<'g>) -> Mat3 {
 }
 
 impl Kinematics {
-    /// Makes the sections of a beam at the places that are named or joined.
+    /// Makes the sections of a body at the places that are named or joined.
     pub fn add_sections(&mut self, g: Sheet, mechanism: &Mechanism, body: BodyId, placement: &Placement) {
         let Some(flexible) = &placement.flexible else { return };
         let joints = mechanism.joints.iter().flat_map(|joint| [&joint.first, &joint.second]);
         let joined = joints.filter(|place| place.frame == Frame::Body(body)).map(|place| &place.at);
         let named = mechanism.bodies[body.0].points.iter().map(|point| &point.at);
         for at in joined.chain(named) {
-            let crate::model::Expr::Number(x) = at[0] else { continue };
-            let key = (body.0, x.to_bits());
+            let Some(station) = flexible.shapes.station_of(at) else { continue };
+            let key = (body.0, station);
             if self.sections.contains_key(&key) {
                 continue;
             }
-            let along = x * vector::unit(g, 0);
+            let place = numbers(g, flexible.shapes.place(station));
+            let rows = flexible.shapes.rows(station);
             let foot = Link {
-                at: g.on(placement).point(along).bare,
+                at: g.on(placement).point(place).bare,
                 axes: placement.axes,
                 ..Link::still(g, placement.link)
             };
-            let motion = flexible.shift(g, &self.velocities, x, 1.0).unwrap_or(Motion::None);
+            let motion = flexible.shift(g, &self.velocities, &rows, 1.0).unwrap_or(Motion::None);
             let mut last = self.push(Link { motion, ..foot });
-            if let Some(motion) = flexible.lean(g, &self.velocities, x, 1.0) {
+            if let Some(motion) = flexible.lean(g, &self.velocities, &rows, 1.0) {
                 last = self.push(Link { motion, ..Link::still(g, last) });
             }
             self.sections.insert(key, last);
@@ -206,17 +202,18 @@ pub struct Share<'g> {
     rate: Scalar<'g>,
     /// N_j e_j, and D_j e₁ of what bending draws in.
     column: Field<'g>,
-    /// Of a mode in torsion: which it is.
-    twist: Option<usize>,
+    mode: usize,
 }
 
-/// A beam with its mass, on its link.
+/// A body that deforms with its mass, on its link.
 pub struct Spread<'g> {
     pub link: LinkId,
     mass: Scalar<'g>,
-    /// About its own axis, kg m².
-    spin: Scalar<'g>,
-    along: On<'g, Vec3>,
+    /// Link ← body.
+    axes: On<'g, Mat3>,
+    /// What turns beyond places that move, times a factor: of beams kg m² about their axis.
+    rotary: Rotary,
+    turning: Scalar<'g>,
     means: Means<'g>,
     position: Field<'g>,
     pub shares: Vec<Share<'g>>,
@@ -225,15 +222,15 @@ pub struct Spread<'g> {
 }
 
 impl<'g> Spread<'g> {
-    /// The beams among the bodies.
+    /// The bodies that deform.
     pub fn all(laws: &Laws<'g>, kinematics: On<'g, &'g Kinematics>) -> Vec<Self> {
         let mut all = Vec::new();
         for (index, placement) in kinematics.bare.bodies.iter().enumerate() {
             let body = &laws.mechanism.bodies[index];
-            if let (Some(flexible), Some(beam)) = (&placement.flexible, &body.beam) {
+            if let (Some(flexible), Some(deforms)) = (&placement.flexible, &body.deforms) {
                 let mass = laws.value(&body.mass);
-                let spin = mass * laws.value(&beam.spin);
-                all.push(Self::new(kinematics, placement, flexible, mass, spin));
+                let turning = turning_factor(laws, mass, deforms);
+                all.push(Self::new(kinematics, placement, flexible, mass, turning));
             }
         }
         all
@@ -245,38 +242,41 @@ impl<'g> Spread<'g> {
         placement: &Placement,
         flexible: &'g Flexible,
         mass: Scalar<'g>,
-        spin: Scalar<'g>,
+        turning: Scalar<'g>,
     ) -> Self {
         let g = kinematics.g;
-        let slender = &*flexible.slender;
+        let shapes = &flexible.shapes;
         let axes = g.on(placement.axes);
-        let (along, modes) = (axes.column(0), flexible.modes.len());
+        let modes = flexible.modes.len();
         let rate_of = |modal: &Modal| kinematics.bare.velocities[modal.velocity];
         let bent = flexible.modes.iter().map(|modal| Bent { value: modal.value, rate: rate_of(modal) });
         let bent: Vec<Bent> = bent.collect();
-        let stiffens = !slender.shortenings.is_empty();
-        let mut position = vec![(0, g.on(placement.at)), (1, along)];
+        let functions = shapes.functions();
+        let mut position = vec![(0, g.on(placement.at))];
+        let still = functions.iter().enumerate().filter(|(_, function)| function.mode.is_none());
+        position.extend(still.map(|(k, function)| (1 + k, axes.column(function.axis))));
         let mut shares = Vec::new();
+        // Along the axis of a beam, behind its shapes.
+        let (along, drawn) = (axes.column(0), 1 + functions.len());
         for (mode, modal) in flexible.modes.iter().enumerate() {
-            let way = slender.modes[mode].way;
             let (velocity, rate) = (modal.velocity, g.on(rate_of(modal)));
-            if way == Way::Torsion {
-                shares.push(Share { velocity, rate, column: Vec::new(), twist: Some(mode) });
-                continue;
+            let mut column = Vec::new();
+            let own = functions.iter().enumerate().filter(|(_, function)| function.mode == Some(mode));
+            for (k, function) in own.filter(|_| shapes.moves(mode)) {
+                let axis = axes.column(function.axis);
+                position.push((1 + k, g.on(modal.value) * axis));
+                column.push((1 + k, axis));
             }
-            let axis = axes.column(way.axis());
-            position.push((2 + mode, g.on(modal.value) * axis));
-            let mut column = vec![(2 + mode, axis)];
-            if stiffens && way.bends() {
-                let drawn = 2 + modes + mode;
-                position.push((drawn, 0.5 * (g.on(modal.value) * along)));
-                column.push((drawn, along));
+            if shapes.draws_in(mode) {
+                position.push((drawn + mode, 0.5 * (g.on(modal.value) * along)));
+                column.push((drawn + mode, along));
             }
-            shares.push(Share { velocity, rate, column, twist: None });
+            shares.push(Share { velocity, rate, column, mode });
         }
-        let faster = if stiffens { vec![(2 + 2 * modes, along)] } else { Vec::new() };
-        let means = Means::new(g, slender, &bent);
-        Spread { link: placement.link, mass, spin, along, means, position, shares, faster }
+        let stiffens = !shapes.shortenings().is_empty();
+        let faster = if stiffens { vec![(drawn + modes, along)] } else { Vec::new() };
+        let (means, rotary) = (shapes.means(g, &bent), shapes.rotary());
+        Spread { link: placement.link, mass, axes, rotary, turning, means, position, shares, faster }
     }
 
     fn mean(&self, i: usize, k: usize) -> Scalar<'g> {
@@ -328,7 +328,7 @@ impl<'g> Spread<'g> {
         let squares = [0, 1, 2].map(|k| second(k, k));
         let inertia = Symmetric::of(g, |k| {
             let (i, j) = ENTRIES[k];
-            let spin = self.spin * (self.along.at(i) * self.along.at(j));
+            let spin = self.turned(i, j);
             if i == j {
                 self.mass * (squares[(k + 1) % 3] + squares[(k + 2) % 3]) + spin
             } else {
@@ -339,34 +339,71 @@ impl<'g> Spread<'g> {
         g.on(Distribution { mass: self.mass.bare, first: first.bare, inertia: inertia.bare })
     }
 
-    /// Twice the energy with which a section turns about its axis, were it as heavy as the whole: the link turns by ω, and modes in torsion have
-    /// these values at the section.
-    pub fn twice_about_axis(&self, omega: On<'g, Vec3>, values: &[f64]) -> Scalar<'g> {
-        let twisting = self.shares.iter().zip(values).filter(|(share, _)| share.twist.is_some());
-        let rate = twisting.fold(self.along.dot(omega), |sum, (share, value)| sum + *value * share.rate);
-        self.spin * rate.square()
+    /// An entry of J in the axes of the link.
+    fn turned(&self, i: usize, j: usize) -> Scalar<'g> {
+        let mut sum = self.mass.g.zero();
+        for (a, row) in self.rotary.inertia.iter().enumerate() {
+            for (b, entry) in row.iter().enumerate().filter(|(_, entry)| **entry != 0.0) {
+                let both = self.axes.column(a).at(i) * self.axes.column(b).at(j);
+                sum += self.turning * (*entry * both);
+            }
+        }
+        sum
     }
 
-    /// ν_j of a mode in torsion, else nothing.
-    fn twist(&self, share: &Share<'g>) -> Scalar<'g> {
-        share.twist.map_or(self.mass.g.zero(), |mode| self.means.first(1 + mode))
+    /// Twice the energy with which a section of a beam turns about its axis, were it as heavy as the whole: the link turns by ω, and modes in torsion
+    /// turn the section by these rows.
+    pub fn twice_about_axis(&self, omega: On<'g, Vec3>, rows: &Rows) -> Scalar<'g> {
+        let along = self.axes.column(0).dot(omega);
+        let twisting = self.shares.iter().filter(|share| share.column.is_empty());
+        let rate = twisting.fold(along, |sum, share| sum + rows.turns[share.mode][0] * share.rate);
+        self.turning * rate.square()
     }
 
-    /// ν_jk of two modes in torsion, else nothing.
-    fn both_twist(&self, one: &Share<'g>, other: &Share<'g>) -> Scalar<'g> {
-        let both = one.twist.zip(other.twist);
-        both.map_or(self.mass.g.zero(), |(j, k)| self.means.second(1 + j, 1 + k))
+    /// Twice the energy of what turns by itself, with the rates of the link and of the modes.
+    pub fn twice_turning(&self, omega: On<'g, Vec3>) -> Scalar<'g> {
+        let rates = [0, 1, 2].map(|axis| self.axes.column(axis).dot(omega));
+        let all: Vec<Scalar> = rates.into_iter().chain(self.shares.iter().map(|share| share.rate)).collect();
+        let entry = |i: usize, k: usize| match (i, k) {
+            (0..3, 0..3) => self.rotary.inertia[i][k],
+            (0..3, _) => self.rotary.momentum[k - 3][i],
+            (_, 0..3) => self.rotary.momentum[i - 3][k],
+            _ => self.rotary.modal[i - 3][k - 3],
+        };
+        let pairs = (0..all.len()).flat_map(|i| (0..all.len()).map(move |k| (i, k)));
+        self.turning * self.mass.g.sum(pairs.map(|(i, k)| entry(i, k) * (all[i] * all[k])))
+    }
+
+    /// B_j of a mode along the axes of the body, where it is anything.
+    fn momentum(&self, share: &Share<'g>) -> impl Iterator<Item = (Scalar<'g>, On<'g, Vec3>)> + '_ {
+        let along = self.rotary.momentum[share.mode].into_iter().enumerate();
+        along
+            .filter(|(_, part)| *part != 0.0)
+            .map(|(axis, part)| (self.mass.g.number(part), self.axes.column(axis)))
+    }
+
+    /// D_jk.
+    fn both_turn(&self, one: &Share<'g>, other: &Share<'g>) -> Scalar<'g> {
+        self.mass.g.number(self.rotary.modal[one.mode][other.mode])
+    }
+
+    /// Whether a mode turns something by itself.
+    fn turns(&self, share: &Share<'g>) -> bool {
+        let is_any = |row: &[f64]| row.iter().any(|it| *it != 0.0);
+        is_any(&self.rotary.momentum[share.mode]) || is_any(&self.rotary.modal[share.mode])
     }
 
     /// Moment about the origin of the link and force of a mode that is accelerated by one.
     pub fn column(&self, share: &Share<'g>) -> [On<'g, Vec3>; 2] {
         let (moment, force) = (self.cross(&self.position, &share.column), self.h(0, &share.column));
-        [self.mass * moment + (self.spin * self.twist(share)) * self.along, self.mass * force]
+        let own = self.mass * moment;
+        let moment = self.momentum(share).fold(own, |sum, (part, axis)| sum + (self.turning * part) * axis);
+        [moment, self.mass * force]
     }
 
     /// M of two modes.
     pub fn mass_of(&self, one: &Share<'g>, other: &Share<'g>) -> Scalar<'g> {
-        self.mass * self.dot(&one.column, &other.column) + self.spin * self.both_twist(one, other)
+        self.mass * self.dot(&one.column, &other.column) + self.turning * self.both_turn(one, other)
     }
 
     /// What moves within the link: 2 ω × ẇ + ẅ at every point, in two parts.
@@ -384,12 +421,16 @@ impl<'g> Spread<'g> {
         let coriolis: Field<'g> = rates.iter().map(|(k, w)| (*k, 2.0 * motion.omega.cross(*w))).collect();
         let force = self.h(0, &coriolis) + self.h(0, &own);
         let moment = self.cross(&self.position, &coriolis) + self.cross(&self.position, &own);
-        let turning = self.turning(|share| share.rate);
-        let mut about = turning * motion.omega.cross(self.along);
-        if let Some(a) = accelerations {
-            about += self.turning(|share| self.mass.g.on(a[share.velocity])) * self.along;
+        let mut about = vector::zero(self.mass.g);
+        for (axis, rate) in self.momenta(|share| share.rate) {
+            about += rate * motion.omega.cross(axis);
         }
-        [self.mass * moment + self.spin * about, self.mass * force]
+        if let Some(a) = accelerations {
+            for (axis, rate) in self.momenta(|share| self.mass.g.on(a[share.velocity])) {
+                about += rate * axis;
+            }
+        }
+        [self.mass * moment + self.turning * about, self.mass * force]
     }
 
     /// Force along each mode that the motion of the link and of the modes needs.
@@ -400,20 +441,25 @@ impl<'g> Spread<'g> {
     ) -> Vec<(usize, Scalar<'g>)> {
         let [rates, own] = self.moving(accelerations);
         let force = |share: &Share<'g>| {
-            if share.twist.is_some() {
-                let mut sum = self.twist(share) * self.along.dot(motion.alpha);
+            let turning = self.turns(share).then(|| {
+                let own = self.momentum(share).map(|(part, axis)| part * axis.dot(motion.alpha));
+                let mut sum = self.mass.g.sum(own);
                 if let Some(a) = accelerations {
-                    let both = |its: &Share<'g>| self.both_twist(share, its) * a[its.velocity];
+                    let both = |its: &Share<'g>| self.both_turn(share, its) * a[its.velocity];
                     sum += self.mass.g.sum(self.shares.iter().map(both));
                 }
-                return (share.velocity, self.spin * sum);
+                self.turning * sum
+            });
+            if let (Some(turning), true) = (turning, share.column.is_empty()) {
+                return (share.velocity, turning);
             }
             let mut sum = self.h(0, &share.column).dot(motion.acceleration);
             for (k, w) in &share.column {
                 let carried = motion.spin * self.h(*k, &self.position);
                 sum += w.dot(carried + 2.0 * motion.omega.cross(self.h(*k, &rates)));
             }
-            (share.velocity, self.mass * (sum + self.dot(&share.column, &own)))
+            let force = self.mass * (sum + self.dot(&share.column, &own));
+            (share.velocity, turning.map_or(force, |turning| force + turning))
         };
         self.shares.iter().map(force).collect()
     }
@@ -423,33 +469,49 @@ impl<'g> Spread<'g> {
         let rates = self.rates();
         let mixed =
             motion.velocity.dot(self.h(0, &rates)) + motion.omega.dot(self.cross(&self.position, &rates));
-        let turning = self.along.dot(motion.omega) * self.turning(|share| share.rate);
+        let own = self.momenta(|share| share.rate).into_iter();
+        let turning = self.mass.g.sum(own.map(|(axis, rate)| axis.dot(motion.omega) * rate));
         let pairs = self.shares.iter().flat_map(|one| {
-            self.shares.iter().map(move |other| self.both_twist(one, other) * (one.rate * other.rate))
+            self.shares.iter().map(move |other| self.both_turn(one, other) * (one.rate * other.rate))
         });
         let twisting = turning + 0.5 * self.mass.g.sum(pairs);
-        self.mass * (mixed + 0.5 * self.dot(&rates, &rates)) + self.spin * twisting
+        self.mass * (mixed + 0.5 * self.dot(&rates, &rates)) + self.turning * twisting
     }
 
-    /// Σ ν_j of modes in torsion times these.
-    fn turning(&self, of: impl Fn(&Share<'g>) -> Scalar<'g>) -> Scalar<'g> {
-        self.mass.g.sum(self.shares.iter().map(|share| self.twist(share) * of(share)))
+    /// Σ B_j times these, axis by axis of the body, along which there is any.
+    fn momenta(&self, of: impl Fn(&Share<'g>) -> Scalar<'g>) -> Vec<(On<'g, Vec3>, Scalar<'g>)> {
+        let g = self.mass.g;
+        let along = |axis: usize| {
+            let part = |share: &Share<'g>| g.number(self.rotary.momentum[share.mode][axis]);
+            (self.axes.column(axis), g.sum(self.shares.iter().map(|share| part(share) * of(share))))
+        };
+        [0, 1, 2].map(along).into_iter().filter(|(_, sum)| !sum.is_zero()).collect()
     }
+}
+
+/// What the rotary constants of a body are multiplied with: of a beam its moment of inertia about its axis.
+pub fn turning_factor<'g>(laws: &Laws<'g>, mass: Scalar<'g>, deforms: &Deforms) -> Scalar<'g> {
+    match deforms {
+        Deforms::Beam(beam) => mass * laws.value(&beam.spin),
+        Deforms::Modal(_) => laws.g.one(),
+    }
+}
+
+fn numbers<'g>(g: Sheet<'g>, values: [f64; 3]) -> On<'g, Vec3> {
+    vector::vector(|k| g.number(if values[k] == 0.0 { 0.0 } else { values[k] }))
 }
 
 /// −K p − C ṗ of all modes, by velocity.
 pub fn elastic_forces<'g>(laws: &Laws<'g>, kinematics: On<'g, &'g Kinematics>) -> Vec<(usize, Scalar<'g>)> {
     let mut forces = Vec::new();
     for (index, body) in laws.mechanism.bodies.iter().enumerate() {
-        let (Some(beam), Some(flexible)) = (&body.beam, &kinematics.bare.bodies[index].flexible) else {
+        let (Some(deforms), Some(flexible)) = (&body.deforms, &kinematics.bare.bodies[index].flexible) else {
             continue;
         };
-        for (mode, modal) in flexible.modes.iter().enumerate() {
-            let rate = kinematics.g.on(kinematics.bare.velocities[modal.velocity]);
-            let damping = elastic::damping(laws, BodyId(index), beam, mode);
-            let resisted = elastic::stiffness(laws, beam, mode) * modal.value + damping * rate;
-            forces.push((modal.velocity, -resisted));
-        }
+        let rate = |modal: &Modal| kinematics.g.on(kinematics.bare.velocities[modal.velocity]);
+        let bent = flexible.modes.iter().map(|modal| (kinematics.g.on(modal.value), rate(modal)));
+        let resisted = elastic::resistance(laws, BodyId(index), deforms, &bent.collect::<Vec<_>>());
+        forces.extend(flexible.modes.iter().zip(resisted).map(|(modal, force)| (modal.velocity, -force)));
     }
     forces
 }
@@ -459,9 +521,10 @@ pub fn elastic_energy<'g>(laws: &Laws<'g>, kinematics: On<'g, &'g Kinematics>) -
     let g = kinematics.g;
     let mut sum = g.zero();
     for (body, placement) in laws.mechanism.bodies.iter().zip(&kinematics.bare.bodies) {
-        let (Some(beam), Some(flexible)) = (&body.beam, &placement.flexible) else { continue };
-        for (mode, modal) in flexible.modes.iter().enumerate() {
-            sum += 0.5 * (elastic::stiffness(laws, beam, mode) * g.on(modal.value).square());
+        let (Some(deforms), Some(flexible)) = (&body.deforms, &placement.flexible) else { continue };
+        let values: Vec<Scalar> = flexible.modes.iter().map(|modal| g.on(modal.value)).collect();
+        for energy in elastic::energies(laws, deforms, &values) {
+            sum += energy;
         }
     }
     sum

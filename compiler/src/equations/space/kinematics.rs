@@ -7,8 +7,10 @@
 
 use super::axes;
 use super::coordinates::rotation_matrix;
+use super::flexible::Flexible;
 use super::joints::{self, Elementary};
 use super::links::{GROUND, Link, LinkId, Placement};
+use super::shapes::{Slice, Station};
 use super::vector::{self, Mat3, Vec3};
 use super::vector_jet::{Kind, VectorJet};
 use crate::equations::Laws;
@@ -32,8 +34,8 @@ pub struct Kinematics {
     pub travels: BTreeMap<(JointId, usize), (Node, usize, Node)>,
     /// Axes of the carrying and of the carried place of each ball, in their bodies.
     pub balls: BTreeMap<JointId, [Mat3; 2]>,
-    /// Sections of beams, by body and the bits of x: links whose origin and axes are those of the section.
-    pub sections: BTreeMap<(usize, u64), LinkId>,
+    /// Sections of beams and nodes, by body and place: links whose origin and axes are those of what is there.
+    pub sections: BTreeMap<(usize, Station), LinkId>,
 }
 
 /// A place on its link.
@@ -71,26 +73,38 @@ impl<'g> On<'g, &'g Kinematics> {
         Spot { link: placement.link, at, axes }
     }
 
-    /// The link of a section of a beam, if the place is one that has been made.
+    /// The link of a section or node, if the place is one that has been made.
     pub fn section(self, laws: &Laws<'g>, place: &Place) -> Option<LinkId> {
         let Frame::Body(body) = place.frame else { return None };
         // The origin of a frame in the mean is no section.
-        let x = if place.of_mean { None } else { laws.vector(&place.at).at(0).value() }?;
-        self.bare.sections.get(&(body.0, x.to_bits())).copied()
+        if place.of_mean {
+            return None;
+        }
+        let shapes = &self.bare.bodies.get(body.0)?.flexible.as_ref()?.shapes;
+        let at = laws.vector(&place.at);
+        let station = shapes.station([0, 1, 2].map(|k| at.at(k).value()))?;
+        self.bare.sections.get(&(body.0, station)).copied()
     }
 
     /// A point of a body, on its link, where it moves with what bends.
     fn point(self, placement: &Placement, at: On<'g, Vec3>) -> VectorJet {
         let fixed = VectorJet::fixed(self.g.on(placement).point(at));
-        match &placement.flexible {
-            Some(flexible) => flexible.moved(self, placement, at, fixed),
+        let station = |flexible: &Flexible| flexible.shapes.station([0, 1, 2].map(|k| at.at(k).value()));
+        match placement.flexible.as_ref().and_then(|it| Some((it, station(it)?))) {
+            Some((flexible, at)) => flexible.moved(self, placement, &flexible.shapes.rows(at), fixed),
             None => fixed,
         }
     }
 
-    /// A point of a body in world axes.
-    pub fn in_world(self, placement: &Placement, at: On<'g, Vec3>) -> Moving<'g, VectorJet> {
-        self.carry(self.point(placement, at), placement.link, GROUND, Kind::Point)
+    /// A part of the mass of a body in world axes.
+    pub fn slice_in_world(self, placement: &Placement, slice: &Slice) -> Moving<'g, VectorJet> {
+        let at = vector::vector(|k| self.g.number(slice.at[k]));
+        let fixed = VectorJet::fixed(self.g.on(placement).point(at));
+        let moved = match &placement.flexible {
+            Some(flexible) => flexible.moved(self, placement, &slice.rows, fixed),
+            None => fixed,
+        };
+        self.carry(moved, placement.link, GROUND, Kind::Point)
     }
 
     fn direction_of(self, link: LinkId, u: On<'g, Vec3>, seen_from: LinkId) -> Moving<'g, VectorJet> {

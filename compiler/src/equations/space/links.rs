@@ -38,13 +38,13 @@ pub enum Motion {
         matrix: Mat3,
         rate: usize,
     },
-    /// By `offset`, with the velocity Σ axis · v\[rate\] of these, and `bias` its derivative at v̇ = 0: a place of a beam that bends.
+    /// By `offset`, with the velocity Σ axis · v\[rate\] of these, and `bias` its derivative at v̇ = 0: a place that moves as its body deforms.
     Shift {
         offset: Vec3,
         along: Vec<(usize, Vec3)>,
         bias: Vec3,
     },
-    /// R = `matrix`, ω = Σ axis · v\[rate\] along the link's own axes, with `bias` the ω̇ of these at v̇ = 0: a section of a beam.
+    /// R = `matrix`, ω = Σ axis · v\[rate\] along the link's own axes, with `bias` the ω̇ of these at v̇ = 0: what turns there.
     Lean {
         matrix: Mat3,
         about: Vec<(usize, Vec3)>,
@@ -72,7 +72,7 @@ pub struct Placement {
     pub at: Vec3,
     /// Link ← body.
     pub axes: Mat3,
-    /// What bends of it.
+    /// What deforms of it.
     pub flexible: Option<Flexible>,
 }
 

@@ -10,6 +10,7 @@ pub mod joints;
 mod kinematics;
 mod links;
 pub mod loads;
+mod shapes;
 mod tensor;
 mod trees;
 mod vector;
