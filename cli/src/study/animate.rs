@@ -79,9 +79,15 @@ pub fn film(study: &Study, loaded: &Loaded) -> Result<Film, Failure> {
     let columns = &run.trajectory.columns;
     let of = |group: Group| columns.iter().position(|column| column.group == group).unwrap_or(columns.len());
     let (first, state) = (of(Group::Motions), of(Group::State));
+    let dimensions = loaded.compiled.mechanism.space.dimensions();
     let scene = with_engine!(&loaded.engine, |engine| {
         let positions = run.trajectory.rows().map(|row| &row[state..]);
-        scene::scene(&loaded.compiled, &pose(engine, &super::start(engine)?), positions)
+        let of_row = |row: &'_ [f64]| {
+            let center = |body: &[f64]| [0, 1, 2].map(|k| if k < dimensions { body[k] } else { 0.0 });
+            row[first..state].chunks(motion).map(center).collect::<Vec<_>>()
+        };
+        let centers = run.trajectory.rows().flat_map(of_row);
+        scene::scene(&loaded.compiled, &pose(engine, &super::start(engine)?), positions, centers)
     });
     let kept = if scene.is_planar { 4 } else { 12 };
     let poses = run.trajectory.rows().map(|row| {
@@ -128,7 +134,7 @@ fn spot(spot: &Spot) -> Value {
 
 /// What the page draws.
 fn data(loaded: &Loaded, film: &Film) -> Value {
-    let Scene { is_planar, up, bodies, joints, loads, wheels, modes, times } = &film.scene;
+    let Scene { is_planar, up, bodies, joints, loads, wheels, surfaces, modes, times } = &film.scene;
     let point = |at: &[f64; 3]| json!(at.map(rounded));
     let bodies = bodies.iter().map(|body| {
         let spots: Vec<Value> = body.spots.iter().map(point).collect();
@@ -159,6 +165,10 @@ fn data(loaded: &Loaded, film: &Film) -> Value {
     let wheels = wheels.iter().map(
         |wheel| json!({ "center": spot(&wheel.center), "about": point(&wheel.about), "radius": wheel.radius }),
     );
+    let surfaces = surfaces.iter().map(|surface| {
+        let line = |line: &Vec<Spot>| line.iter().map(spot).collect::<Vec<_>>();
+        json!({ "name": surface.name, "lines": surface.lines.iter().map(line).collect::<Vec<_>>() })
+    });
     let columns = film
         .curves
         .iter()
@@ -173,6 +183,7 @@ fn data(loaded: &Loaded, film: &Film) -> Value {
         "joints": joints.collect::<Vec<_>>(),
         "loads": loads.collect::<Vec<_>>(),
         "wheels": wheels.collect::<Vec<_>>(),
+        "surfaces": surfaces.collect::<Vec<_>>(),
         "times": film.run.trajectory.times.iter().map(|time| rounded(*time)).collect::<Vec<_>>(),
         "poses": film.poses,
         "columns": columns.collect::<Vec<_>>(),
@@ -187,13 +198,16 @@ pub fn page(study: &Study, loaded: &Loaded, film: &Film) -> String {
     let name = escaped(&loaded.name);
     let Course { step, formulation, integrator, .. } = &study.course;
     let end = film.run.trajectory.times.last().copied().unwrap_or_default();
+    let bodies = match film.scene.bodies.len() {
+        1 => "one body".to_string(),
+        count => format!("{count} bodies"),
+    };
     let freedoms = match loaded.compiled.assembly.mobility.generic {
         1 => "one degree of freedom".to_string(),
         count => format!("{count} degrees of freedom"),
     };
     let lead = format!(
-        "{} bodies, {freedoms}; {} s in steps of {} s, {formulation}, {integrator}",
-        film.scene.bodies.len(),
+        "{bodies}, {freedoms}; {} s in steps of {} s, {formulation}, {integrator}",
         short(end),
         short(*step)
     );

@@ -4,7 +4,7 @@ use super::animate::Film;
 use super::short;
 use linkwright_compiler::drawing_text::escaped;
 use linkwright_compiler::page::magnified;
-use linkwright_compiler::page::scene::{Axis, Scene, Shape, Spot, Wheel};
+use linkwright_compiler::page::scene::{Axis, Scene, Shape, Spot, Surface, Wheel};
 use std::fmt::Write;
 
 /// Frames of the picture: few enough that it stays small.
@@ -149,11 +149,13 @@ pub fn picture(name: &str, film: &Film, speed: f64) -> String {
         }
         let rims = scene.wheels.iter().flat_map(|wheel| rim(wheel.center, wheel.about, wheel.radius, 8));
         points.extend(rims.map(|spot| moment.place(spot)));
+        let of_surfaces = scene.surfaces.iter().flat_map(|it| it.lines.iter().flatten());
+        points.extend(of_surfaces.map(|spot| moment.place(*spot)));
         points.extend(scene.joints.iter().map(|joint| moment.place(joint.second)));
         points.extend(scene.loads.iter().flat_map(|load| load.ends.iter().map(|end| moment.place(*end))));
     }
     let eye = Eye::new(scene, &points);
-    let mut paths = Vec::new();
+    let mut paths: Vec<Moving> = scene.surfaces.iter().map(|it| surface(&eye, &moments, it)).collect();
     for (index, body) in scene.bodies.iter().enumerate() {
         shapes(&mut paths, &eye, &moments, index, body);
     }
@@ -265,6 +267,18 @@ fn round(eye: &Eye, moment: &Moment, center: Spot, about: [f64; 3], radius: f64)
         return circle(center, spots[0]);
     }
     path(&spots, true) + &path(&[center, spots[0]], false)
+}
+
+fn surface(eye: &Eye, moments: &[Moment], surface: &Surface) -> Moving {
+    let style = "fill=\"none\" stroke=\"var(--ink)\" stroke-opacity=\"0.7\" stroke-width=\"1.2\"";
+    let frame = |moment: &Moment| {
+        let line = |line: &Vec<Spot>| {
+            let spots: Vec<[f64; 2]> = line.iter().map(|spot| eye.spot(moment.place(*spot))).collect();
+            path(&spots, false)
+        };
+        surface.lines.iter().map(line).collect()
+    };
+    Moving::new(moments, style.to_string(), frame)
 }
 
 fn pitch_circle(eye: &Eye, moments: &[Moment], wheel: &Wheel) -> Moving {

@@ -78,6 +78,7 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
             let contacts = lowering.each(&definition.contacts, Lowering::contact);
             loads.into_iter().chain(contacts).collect()
         },
+        surfaces: lowering.contacts.named(),
         start: lowering.each(&definition.start, Lowering::start_condition),
         steady: lowering.steady(),
         orientations: lowering.each(&definition.orientations, Lowering::start_orientation),

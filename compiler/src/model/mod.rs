@@ -42,6 +42,7 @@ use crate::scalar::Scalar;
 pub use crate::syntax::Side;
 pub use crate::syntax::{Budgeted, OnDisk, identifier};
 pub use beams::Beam;
+pub use contacts::{Shape, Surface};
 pub use deforms::{Deforms, Modal};
 pub use elements::{
     Constraint, ConstraintKind, Coupled, Coupling, Joint, Load, Rotor, Sliding, Spot, Subject,
@@ -129,6 +130,8 @@ pub struct Mechanism {
     pub constraints: Vec<Constraint>,
     pub drivers: Vec<Driver>,
     pub loads: Vec<Load>,
+    /// Those with names that touch something.
+    pub surfaces: Vec<Surface>,
     pub start: Vec<StartCondition>,
     /// The internal states that begin where they rest, and where that is said.
     pub steady: Vec<(usize, Region)>,

@@ -18,6 +18,7 @@ pub mod scene;
 mod sketch;
 mod sparsity;
 mod stand;
+mod surfaces;
 mod table;
 mod tables;
 mod teeth;

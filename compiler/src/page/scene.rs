@@ -30,6 +30,7 @@ pub struct Scene {
     pub joints: Vec<Joint>,
     pub loads: Vec<Line>,
     pub wheels: Vec<Wheel>,
+    pub surfaces: Vec<Surface>,
     /// Where the modes of the beams stand in q, beam after beam.
     pub modes: Vec<usize>,
     /// How many times as large deflections are shown.
@@ -113,9 +114,22 @@ pub struct Wheel {
     pub radius: f64,
 }
 
-/// The scene with the parameters of a pose, and deflections so large that they are seen in one of the positions.
-pub fn scene<'q>(compiled: &Compiled, pose: &Pose, positions: impl Iterator<Item = &'q [f64]>) -> Scene {
-    let sketch = Sketch::of(compiled, pose);
+/// What may touch, as lines.
+#[derive(Clone, Debug)]
+pub struct Surface {
+    pub name: String,
+    pub lines: Vec<Vec<Spot>>,
+}
+
+/// The scene with the parameters of a pose, deflections so large that they are seen in one of the positions, and a ground as far as bodies
+/// come, by where their centres are.
+pub fn scene<'q>(
+    compiled: &Compiled,
+    pose: &Pose,
+    positions: impl Iterator<Item = &'q [f64]>,
+    centers: impl Iterator<Item = Point>,
+) -> Scene {
+    let sketch = Sketch::reaching(compiled, pose, centers);
     let bent = Bent::of_all(compiled, &pose.q);
     let deflection = |q: &[f64]| {
         let beams = bent.iter().flatten().map(|it| it.deflection_at(q));
@@ -146,6 +160,12 @@ pub fn scene<'q>(compiled: &Compiled, pose: &Pose, positions: impl Iterator<Item
         radius: wheel.radius,
     });
     let wheels = wheels.collect();
+    let surfaces = sketch.skins.iter().map(|skin| {
+        let lines =
+            skin.lines.iter().map(|line| line.iter().map(|at| stage.spot(skin.on, *at, None)).collect());
+        Surface { name: skin.name.clone(), lines: lines.collect() }
+    });
+    let surfaces = surfaces.collect();
     let mut modes = Vec::new();
     let mut bodies = Vec::new();
     for (part, bends) in sketch.parts.iter().zip(&stage.places) {
@@ -154,7 +174,7 @@ pub fn scene<'q>(compiled: &Compiled, pose: &Pose, positions: impl Iterator<Item
         bodies.push(shape(part, axis));
     }
     let is_planar = sketch.space == Space::Planar;
-    Scene { is_planar, up: sketch.up, bodies, joints, loads, wheels, modes, times }
+    Scene { is_planar, up: sketch.up, bodies, joints, loads, wheels, surfaces, modes, times }
 }
 
 /// What places are found on.

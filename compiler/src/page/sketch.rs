@@ -1,7 +1,9 @@
 //! What a drawing shows, as numbers: where bodies, joints and loads stand in a pose, in world axes. How they look is
 //! left to `figure`.
 
+use super::figure::extent;
 use super::stand::{Pose, Stand};
+use super::surfaces::{Bounds, Skin};
 use crate::compiled::Compiled;
 use crate::drawing::Hinge;
 pub use crate::drawing::load::Effort;
@@ -21,6 +23,7 @@ pub struct Sketch {
     pub efforts: Vec<(&'static LoadKind, Effort)>,
     pub wheels: Vec<Wheel>,
     pub links: Vec<Link>,
+    pub skins: Vec<Skin>,
     pub drives: Vec<Drive>,
     /// How many times as large deflections of beams are shown.
     pub times: f64,
@@ -101,6 +104,11 @@ fn settle(hinge: &mut Hinge, parts: &[Part], space: Space) {
 
 impl Sketch {
     pub fn of(compiled: &Compiled, pose: &Pose) -> Sketch {
+        Sketch::reaching(compiled, pose, std::iter::empty())
+    }
+
+    /// With surfaces that reach as far as these points too.
+    pub fn reaching(compiled: &Compiled, pose: &Pose, points: impl Iterator<Item = Point>) -> Sketch {
         let mut stand = Stand::of(compiled, pose);
         let mechanism = &compiled.mechanism;
         let mut hinges: Vec<Hinge> = mechanism.joints.iter().map(|joint| stand.hinge(joint)).collect();
@@ -143,7 +151,10 @@ impl Sketch {
         let wheels = stand.wheels(&hinges);
         let (links, drives) = (stand.links(&hinges), stand.drives(&hinges));
         let (space, up, times) = (mechanism.space, stand.up(), stand.times);
-        Sketch { space, up, parts, hinges, efforts, wheels, links, drives, times }
+        let mut sketch =
+            Sketch { space, up, parts, hinges, efforts, wheels, links, skins: Vec::new(), drives, times };
+        sketch.skins = stand.skins(&Bounds::of(extent(&sketch).into_iter().chain(points)));
+        sketch
     }
 }
 

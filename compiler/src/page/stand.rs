@@ -172,7 +172,7 @@ impl<'a> Stand<'a> {
     }
 
     /// A direction in the axes of a place.
-    fn direction(&mut self, place: &Place, vector: &Vector) -> Point {
+    pub(super) fn direction(&mut self, place: &Place, vector: &Vector) -> Point {
         let own = self.vector(vector);
         let own = match &place.axes {
             Axes::Parallel => own,

@@ -4,6 +4,7 @@
 //! lines with their widths. `DRAWINGS=folder cargo test -p linkwright-compiler --test drawings` writes the drawings too.
 
 mod measure;
+mod surfaces;
 
 use linkwright_compiler::model::Space;
 use linkwright_compiler::page::{Figure, Pose, dimensioned_at, drawing_at, scene};
@@ -210,7 +211,7 @@ fn beams_are_bent() {
         assert!(hinge.contains(&format!("cx=\"{x}\" cy=\"{y}\"")), "{first}: {begin}");
         // What moves is the same curve, from the modes alone.
         let pose = Pose::start(&compiled);
-        let scene = scene::scene(&compiled, &pose, std::iter::once(pose.q.as_slice()));
+        let scene = scene::scene(&compiled, &pose, std::iter::once(pose.q.as_slice()), std::iter::empty());
         assert_eq!(scene.times, f64::from(times.unwrap_or(1)));
         let modes: Vec<f64> = scene.modes.iter().map(|index| pose.q[*index]).collect();
         let axis = scene.bodies[0].axis.as_ref().expect("it bends");

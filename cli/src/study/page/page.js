@@ -109,6 +109,7 @@
         const r = body.outline === "box" ? Math.hypot(...body.lengths) / 2 : /bar|beam/.test(body.outline) ? 0 : body.lengths[0];
         if (r) [0, 1, 2].forEach((axis) => [-r, r].forEach((d) => take(at.map((x, j) => (j === axis && !(planar && j === 2) ? x + d : x)))));
       });
+      data.surfaces.forEach((surface) => surface.lines.forEach((points) => points.forEach((at) => take(place(at)))));
       data.joints.forEach((joint) => take(place(joint.second)));
       data.loads.forEach((load) => load.ends.forEach((end) => take(place(end))));
     }
@@ -276,6 +277,10 @@
         add(2, depth(at), () => round(spot(at), 1.9 * view.unit, colour));
       }
     });
+    data.surfaces.forEach((surface) => surface.lines.forEach((points) => {
+      const at = points.map(place);
+      add(-1, depth(at[0]), () => line(at.map(spot), ink.muted, 1.2));
+    }));
     data.wheels.forEach((wheel) => add(1, depth(place(wheel.center)), () => line(ring(place(wheel.center), turned(wheel.center[0], ...wheel.about), wheel.radius), ink.muted, 1, [9, 3, 2, 3])));
     data.joints.forEach((joint) => joints(joint, add));
     data.loads.forEach((load) => loads(load, add));

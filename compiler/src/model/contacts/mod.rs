@@ -25,12 +25,13 @@ use crate::syntax::{self, ContactLawTerm, ContactTerm, Entry, OptionEntry, Path,
 use crate::units::Dimension;
 use pairs::Meeting;
 use rubbing::Slides;
+pub use surfaces::{Shape, Surface};
 
 /// The contacts of a definition as far as they are known.
 pub(super) struct Contacts {
     found: Vec<Found<Geometry>>,
     forces: Vec<Found<Forces>>,
-    surfaces: Vec<Found<surfaces::Surface>>,
+    surfaces: Vec<Found<Surface>>,
     /// What slides at each of its gaps, of one that was asked for it.
     slides: Vec<Option<Vec<Sliding>>>,
     /// The one whose law is being read, and of which of its gaps.
@@ -75,6 +76,15 @@ impl Contacts {
         let (found, forces) = (vec![Found::Unread; count], vec![Found::Unread; count]);
         let surfaces = vec![Found::Unread; definition.surfaces.len()];
         Contacts { found, forces, surfaces, slides: vec![None; count], law_of: None }
+    }
+
+    /// The surfaces with names that contacts have asked for.
+    pub fn named(&self) -> Vec<Surface> {
+        let known = |found: &Found<Surface>| match found {
+            Found::Known(surface) => Some(surface.clone()),
+            _ => None,
+        };
+        self.surfaces.iter().filter_map(known).collect()
     }
 }
 

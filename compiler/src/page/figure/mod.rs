@@ -9,6 +9,7 @@ mod loads;
 mod parts;
 mod plane;
 mod room;
+mod skin;
 mod space;
 
 pub use crate::drawing::canvas::{escaped, number};
@@ -74,6 +75,9 @@ pub fn figure(name: &str, sketch: &Sketch, dimensions: &[Dimension]) -> Figure {
     for part in &sketch.parts {
         parts::part(&mut drawing, part);
     }
+    for skin in &sketch.skins {
+        skin::skin(&mut drawing, skin);
+    }
     for wheel in &sketch.wheels {
         loads::wheel(&mut drawing, wheel);
     }
@@ -119,7 +123,7 @@ fn names(sketch: &Sketch) -> usize {
 }
 
 /// Every point that must be in the picture.
-fn extent(sketch: &Sketch) -> Vec<Point> {
+pub fn extent(sketch: &Sketch) -> Vec<Point> {
     let of_parts = sketch.parts.iter().flat_map(parts::extent);
     let of_joints = sketch.hinges.iter().flat_map(|hinge| match hinge.form.spans {
         Spans::Line => vec![hinge.first, hinge.second, sum(hinge.first, hinge.axis)],
@@ -140,7 +144,8 @@ fn extent(sketch: &Sketch) -> Vec<Point> {
     // What acts between places is drawn from the one to the other.
     let between = sketch.efforts.iter().filter(|(_, effort)| effort.ends.len() > 1);
     let of_springs = between.flat_map(|(_, effort)| effort.ends.iter().map(|end| end.at));
-    of_parts.chain(of_joints).chain(of_wheels).chain(of_springs).collect()
+    let of_skins = sketch.skins.iter().flat_map(|skin| skin.lines.iter().flatten().copied());
+    of_parts.chain(of_joints).chain(of_wheels).chain(of_springs).chain(of_skins).collect()
 }
 
 /// Small where bodies are small, so that symbols leave something of them.
