@@ -3,6 +3,7 @@
 //! N is found with the accelerations by solving again and again with the friction of the multipliers before (`evaluation`); this is
 //! another way than that of the compiler, and it converges where the friction is small beside what presses.
 
+use crate::bristles::Bristles;
 use crate::kinematics::{Kinematics, Place};
 use crate::law::{Law, Scratch};
 use crate::quantity::{Pull, Quantity};
@@ -58,6 +59,7 @@ pub(crate) enum Slip {
 pub(crate) enum Sliding {
     Coulomb { coefficient: Law, speed: f64, own: f64 },
     Stribeck { most: Law, least: Law, transition: f64, speed: f64, viscous: f64 },
+    Remembers(Bristles),
 }
 
 impl Slip {
@@ -82,10 +84,11 @@ impl Slip {
 }
 
 impl Sliding {
-    /// p and o of each component.
+    /// p and o of each component, of which z are the deflections of a law that remembers.
     pub fn resisted(
         &self,
         v: &[f64],
+        z: &[f64],
         at: &Kinematics,
         inputs: &[f64],
         scratch: &mut Scratch,
@@ -103,6 +106,7 @@ impl Sliding {
                 let size = square.sqrt().hypot(*speed);
                 v.iter().map(|v| [coefficient * v / size, viscous * v]).collect()
             }
+            Sliding::Remembers(bristles) => bristles.resisted(v, z, at, inputs, scratch),
         }
     }
 }
@@ -164,15 +168,31 @@ impl Friction {
     /// What it exerts along each quantity that slides.
     fn efforts<'f>(&'f self, at: &Kinematics, inputs: &[f64], scratch: &mut Scratch) -> Vec<(&'f Slip, f64)> {
         let pressed = self.pressed(at, scratch);
-        let mut found = Vec::new();
+        let (mut found, mut from) = (Vec::new(), 0);
         for group in &self.slips {
             let v: Vec<f64> = group.iter().map(|(slip, factor)| factor * slip.rate(at)).collect();
-            let resisted = self.law.resisted(&v, at, inputs, scratch);
+            let z = match &self.law {
+                Sliding::Remembers(bristles) => bristles.deflections(at, from, v.len()),
+                _ => &[],
+            };
+            from += v.len();
+            let resisted = self.law.resisted(&v, z, at, inputs, scratch);
             for ((slip, factor), [p, o]) in group.iter().zip(resisted) {
                 found.push((slip, -factor * (pressed * self.radius * p + o)));
             }
         }
         found
+    }
+
+    pub fn bending(&self, at: &Kinematics, inputs: &[f64], scratch: &mut Scratch) -> Vec<f64> {
+        let Sliding::Remembers(bristles) = &self.law else { return Vec::new() };
+        let mut rates = Vec::new();
+        for group in &self.slips {
+            let v: Vec<f64> = group.iter().map(|(slip, factor)| factor * slip.rate(at)).collect();
+            let z = bristles.deflections(at, rates.len(), v.len());
+            rates.extend(bristles.bending(&v, z, at, inputs, scratch));
+        }
+        rates
     }
 
     pub fn evaluate(

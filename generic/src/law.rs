@@ -29,6 +29,8 @@ pub(crate) enum Rate {
     },
     /// The power of a load, W.
     Power(Box<Load>),
+    /// Of one of the deflections of a friction that remembers.
+    Bending(Box<Load>, usize),
     /// What a row exerts along its quantity, −λ.
     Effort(usize),
     Energy(Arc<Energies>, Energy),
@@ -77,6 +79,12 @@ impl Law {
                     let power = load.power(at, inputs, &mut inner);
                     scratch.inner = Some(inner);
                     power
+                }
+                Rate::Bending(load, which) => {
+                    let mut inner = scratch.inner.take().unwrap_or_default();
+                    let rates = load.bending(at, inputs, &mut inner);
+                    scratch.inner = Some(inner);
+                    rates[*which]
                 }
                 Rate::Sliding(sliding) => {
                     let mut inner = scratch.inner.take().unwrap_or_default();

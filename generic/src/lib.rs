@@ -74,6 +74,7 @@
 
 mod beam;
 mod body;
+mod bristles;
 mod coordinates;
 mod definition;
 mod energy;

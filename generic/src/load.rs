@@ -151,6 +151,15 @@ impl Load {
 }
 
 impl Load {
+    /// ż of the deflections of a friction that remembers.
+    pub fn bending(&self, at: &Kinematics, inputs: &[f64], scratch: &mut Scratch) -> Vec<f64> {
+        match &self.acts {
+            Acts::Friction(friction) => friction.bending(at, inputs, scratch),
+            Acts::Rubbing(rubbing) => rubbing.bending(at, inputs, scratch),
+            _ => Vec::new(),
+        }
+    }
+
     /// Effort times rate, and force times velocity, W.
     pub fn power(&self, at: &Kinematics, inputs: &[f64], scratch: &mut Scratch) -> f64 {
         match &self.acts {

@@ -3,6 +3,7 @@
 //! The normal is what the gap pushes the first body by, so that it follows from the gap's derivatives. v is the velocity of the material of
 //! both bodies at the point where they touch, without its part along the normal.
 
+use crate::bristles::{Bristles, FORGETTING};
 use crate::friction;
 use crate::kinematics::{Kinematics, Place};
 use crate::law::{Law, Scratch};
@@ -66,13 +67,30 @@ impl Rubbing {
         scratch: &mut Scratch,
         mut add: impl FnMut(Pull),
     ) {
-        for spot in &self.spots {
-            spot.rub(&self.law, at, inputs, scratch, &mut add);
+        for (which, spot) in self.spots.iter().enumerate() {
+            spot.rub(&self.law, which, at, inputs, scratch, &mut add);
         }
     }
 
+    /// ż of the deflections of a law that remembers, of open places back to zero.
+    pub fn bending(&self, at: &Kinematics, inputs: &[f64], scratch: &mut Scratch) -> Vec<f64> {
+        let friction::Sliding::Remembers(bristles) = &self.law else { return Vec::new() };
+        let mut rates = Vec::new();
+        for (which, spot) in self.spots.iter().enumerate() {
+            let z = bristles.deflections(at, which * bristles.components, bristles.components);
+            if spot.meeting.gap.value(at, &[], scratch) >= 0.0 {
+                rates.extend(z.iter().map(|z| -z / FORGETTING));
+                continue;
+            }
+            let v = spot.meeting.components(bristles, at, scratch).0;
+            rates.extend(bristles.bending(&v, z, at, inputs, scratch));
+        }
+        rates
+    }
+
     pub fn power(&self, at: &Kinematics, inputs: &[f64], scratch: &mut Scratch) -> f64 {
-        self.spots.iter().map(|spot| spot.rub(&self.law, at, inputs, scratch, &mut |_| ())).sum()
+        let spots = self.spots.iter().enumerate();
+        spots.map(|(which, spot)| spot.rub(&self.law, which, at, inputs, scratch, &mut |_| ())).sum()
     }
 }
 
@@ -81,6 +99,7 @@ impl Spot {
     fn rub(
         &self,
         law: &friction::Sliding,
+        which: usize,
         at: &Kinematics,
         inputs: &[f64],
         scratch: &mut Scratch,
@@ -93,15 +112,30 @@ impl Spot {
         let (first, second) = match &self.meeting.slides {
             Slides::Along(slip) => {
                 let rate = slip.course(at, scratch).rate;
-                let effort = -resisted(law, &[rate], pressed, at, inputs, scratch)[0];
+                let z = match law {
+                    friction::Sliding::Remembers(bristles) => bristles.deflections(at, which, 1),
+                    _ => &[],
+                };
+                let effort = -resisted(law, &[rate], z, pressed, at, inputs, scratch)[0];
                 slip.jet(at, scratch, |pull| add(pull.scaled(effort)));
                 return effort * rate;
             }
             Slides::Surfaces { first, second, .. } => (first.body, second.body),
         };
         let Shift { v, arms: [arm, other], .. } = self.meeting.shift(at, scratch);
-        let resisted = resisted(law, &v, pressed, at, inputs, scratch);
-        let force = [-resisted[0], -resisted[1], -resisted[2]];
+        let force = match law {
+            friction::Sliding::Remembers(bristles) => {
+                let (v, ways) = self.meeting.components(bristles, at, scratch);
+                let z = bristles.deflections(at, which * bristles.components, bristles.components);
+                let resisted = resisted(law, &v, z, pressed, at, inputs, scratch);
+                let parts = resisted.iter().zip(ways).map(|(resisted, way)| times(-resisted, way));
+                parts.fold(ZERO, plus)
+            }
+            _ => {
+                let resisted = resisted(law, &v, &[], pressed, at, inputs, scratch);
+                [-resisted[0], -resisted[1], -resisted[2]]
+            }
+        };
         add(Pull::on(first, force, cross(arm, force)));
         let back = times(-1.0, force);
         add(Pull::on(second, back, cross(other, back)));
@@ -120,6 +154,22 @@ struct Shift {
 }
 
 impl Meets {
+    /// v along the ways that deflections are measured along: one in the plane, in space the axes of the world, turned round with the order.
+    fn components(&self, bristles: &Bristles, at: &Kinematics, scratch: &mut Scratch) -> (Vec<f64>, Vec<V3>) {
+        let reversed = match &self.slides {
+            Slides::Along(slip) => return (vec![slip.course(at, scratch).rate], Vec::new()),
+            Slides::Surfaces { reversed, .. } => *reversed,
+        };
+        let Shift { v, normal: n, .. } = self.shift(at, scratch);
+        let ways = if bristles.components == 1 {
+            vec![[n[1], -n[0], 0.0]]
+        } else {
+            let sign = if reversed { -1.0 } else { 1.0 };
+            (0..3).map(|axis| times(sign, unit_axis(axis))).collect()
+        };
+        (ways.iter().map(|way| dot(*way, v)).collect(), ways)
+    }
+
     fn shift(&self, at: &Kinematics, scratch: &mut Scratch) -> Shift {
         let Slides::Surfaces { first, second, at: place, particles, .. } = &self.slides else {
             return Shift { v: ZERO, normal: ZERO, arms: [ZERO; 2] };
@@ -173,10 +223,11 @@ impl Sliding {
 fn resisted(
     law: &friction::Sliding,
     v: &[f64],
+    z: &[f64],
     pressed: f64,
     at: &Kinematics,
     inputs: &[f64],
     scratch: &mut Scratch,
 ) -> Vec<f64> {
-    law.resisted(v, at, inputs, scratch).into_iter().map(|[p, o]| pressed * p + o).collect()
+    law.resisted(v, z, at, inputs, scratch).into_iter().map(|[p, o]| pressed * p + o).collect()
 }

@@ -3,6 +3,9 @@
 use crate::number::Number;
 use std::sync::Arc;
 
+/// Passes for a foot.
+const FEET: usize = 60;
+
 /// A function of one argument or two.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Table {
@@ -18,6 +21,11 @@ pub(crate) enum Table {
     Sheet {
         rows: Vec<Curve>,
         shares: Vec<Curve>,
+    },
+    /// Of the two coordinates of a place, how far it is out of a closed curve base + r(φ) about their origin.
+    Profile {
+        curve: Curve,
+        base: f64,
     },
 }
 
@@ -52,7 +60,11 @@ impl Curve {
     }
 
     fn of<N: Number>(&self, argument: N, slope: bool) -> N {
-        let mut x = argument.value();
+        let [value, first, second, third] = self.derivatives(argument.value());
+        if slope { argument.chain(first, second, third) } else { argument.chain(value, first, second) }
+    }
+
+    fn derivatives(&self, mut x: f64) -> [f64; 4] {
         if let Some((first, length)) = self.period {
             x -= length * ((x - first) / length).floor();
         }
@@ -61,8 +73,40 @@ impl Curve {
         let (start, [a, b, c, d]) = self.pieces[behind];
         let s = x - start;
         let value = a + s * (b + s * (c + s * d));
-        let [first, second, third] = [b + s * (2.0 * c + s * 3.0 * d), 2.0 * c + 6.0 * d * s, 6.0 * d];
-        if slope { argument.chain(first, second, third) } else { argument.chain(value, first, second) }
+        [value, b + s * (2.0 * c + s * 3.0 * d), 2.0 * c + 6.0 * d * s, 6.0 * d]
+    }
+
+    /// The distance of a place from the curve in polar form: its foot c is found to rounding. Near p the distance is
+    /// n·(x − c) + κ/(2 (1 + κ d)) (t·(x − c))², to the second order.
+    fn distance<N: Number>(&self, base: f64, [x, y]: [N; 2]) -> N {
+        let (p, q) = (x.value(), y.value());
+        let mut angle = q.atan2(p);
+        // c, c′ and c″.
+        let curve = |angle: f64| {
+            let [mut r, first, second, _] = self.derivatives(angle);
+            r += base;
+            let (sin, cos) = angle.sin_cos();
+            let along = |u: f64, v: f64| [u * cos - v * sin, u * sin + v * cos];
+            [along(r, 0.0), along(first, r), along(second - r, 2.0 * first)]
+        };
+        for _ in 0..FEET {
+            let [c, to, bent] = curve(angle);
+            let out = [p - c[0], q - c[1]];
+            let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
+            let step = dot(out, to) / (dot(to, to) - dot(out, bent)).max(0.1 * dot(to, to));
+            angle += step;
+            if step.abs() < 1e-16 {
+                break;
+            }
+        }
+        let [c, to, bent] = curve(angle);
+        let size = to[0].hypot(to[1]);
+        let [t, u] = [to[0] / size, to[1] / size];
+        let curvature = (to[0] * bent[1] - to[1] * bent[0]) / (size * size * size);
+        let (a, b) = (x.minus(N::constant(c[0])), y.minus(N::constant(c[1])));
+        let (out, along) = (a.scaled(u).minus(b.scaled(t)), a.scaled(t).plus(b.scaled(u)));
+        let bent = curvature / (1.0 + curvature * out.value());
+        out.plus(along.times(along).scaled(0.5 * bent))
     }
 }
 
@@ -70,6 +114,7 @@ impl Look {
     pub fn of<N: Number>(&self, a: N, b: N) -> N {
         match &*self.table {
             Table::Curve(curve) => curve.of(a, self.slope),
+            Table::Profile { curve, base } => curve.distance(*base, [a, b]),
             Table::Grid { x, y, values, hold } => {
                 let ((i, right), (j, above)) = (share(x, a, *hold), share(y, b, *hold));
                 let along = |j: usize| {

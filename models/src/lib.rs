@@ -10,6 +10,7 @@ pub mod braked_wheel;
 pub mod bricard;
 pub mod cable_robot;
 pub mod cam_follower;
+pub mod cam_lift_off;
 pub mod car_axis;
 pub mod change_point_four_bar;
 pub mod dc_motor_arm;
@@ -28,10 +29,12 @@ pub mod four_bar;
 pub mod four_spherical_joints;
 pub mod free_rigid_body;
 pub mod gear_pair;
+pub mod geared_shafts;
 pub mod general_four_bar;
 pub mod hammer_at_rigid_wall;
 pub mod hammer_at_wall;
 pub mod heavy_top;
+pub mod held_block;
 pub mod iiwa14;
 pub mod jansen_leg;
 pub mod klann_leg;
@@ -61,6 +64,7 @@ pub mod spatial_pendulums;
 pub mod spatial_slider_crank;
 pub mod spinning_beam;
 pub mod stewart_platform;
+pub mod stick_slip;
 pub mod toothed_gears;
 pub mod tracked_vehicle;
 pub mod tree_pendulum;
@@ -131,8 +135,12 @@ macro_rules! for_each_model {
             dc_motor_arm: $crate::dc_motor_arm::DcMotorArm,
             braked_wheel: $crate::braked_wheel::BrakedWheel,
             lugre_block: $crate::lugre_block::LugreBlock,
+            held_block: $crate::held_block::HeldBlock,
+            stick_slip: $crate::stick_slip::StickSlip,
             rear_wheel: $crate::rear_wheel::RearWheel,
             cam_follower: $crate::cam_follower::CamFollower,
+            cam_lift_off: $crate::cam_lift_off::CamLiftOff,
+            geared_shafts: $crate::geared_shafts::GearedShafts,
             tracked_vehicle: $crate::tracked_vehicle::TrackedVehicle,
             toothed_planetary_set: $crate::toothed_gears::ToothedPlanetarySet,
             planetary_stage_held: $crate::planetary_stage::PlanetaryStageHeld,

@@ -174,6 +174,7 @@ impl<'a> Checked<'a> {
             // Some parameters are thousandths, some are millions; teeth make waves of many to a turn.
             let size = match by {
                 By::Parameter(k) if point.parameters[*k] != 0.0 => point.parameters[*k].abs(),
+                By::Internal(k) => self.compiled.mechanism.states[*k].scale.unwrap_or(1.0),
                 By::Position(_) if !self.compiled.mechanism.pairs.is_empty() => 0.05,
                 _ => 1.0,
             };

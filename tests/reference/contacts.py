@@ -11,6 +11,7 @@ import casadi as ca
 import expressions
 from expressions import entry, evaluate
 
+FEET = 7  # passes of Newton's method for the foot on a profile
 TINY = 1e-24  # m²: below it a distance is none
 ROUND = ("point", "circle", "sphere")
 FLAT = ("half_plane", "plane")
@@ -31,19 +32,22 @@ def is_rigid(contact):
 
 def gates(definition):
     """(contact, which of its gaps) of each gate that is held within a step."""
-    all_contacts, surfaces = definition.get("contacts", []), {s["name"]: s for s in definition.get("surfaces", [])}
+    all_contacts = definition.get("contacts", [])
     word = definition.get("options", {}).get("contact", "live")
     if word != "held" and not any(is_rigid(contact) for contact in all_contacts):
         return []
-    found = []
-    for contact in all_contacts:
-        pair = [surfaces.get(contact.get(end)) or {"kind": "circle"} for end in ("first", "second")]
-        kinds = [surface["kind"] for surface in pair]
-        # What has ends or corners may stand on each of them.
-        several = kinds[0] in FLAT or kinds[1] in FLAT
-        ends = [len(surface["places"]) for surface in pair if several and surface["kind"] in ("segment", "capsule", "polygon")]
-        found += [(contact["name"], which) for which in range(max(ends, default=1))]
-    return found
+    return [(contact["name"], which) for contact in all_contacts for which in range(count(definition, contact))]
+
+
+def count(definition, contact):
+    """How many gaps a contact has."""
+    surfaces = {s["name"]: s for s in definition.get("surfaces", [])}
+    pair = [surfaces.get(contact.get(end)) or {"kind": "circle"} for end in ("first", "second")]
+    kinds = [surface["kind"] for surface in pair]
+    # What has ends or corners may stand on each of them.
+    several = kinds[0] in FLAT or kinds[1] in FLAT
+    ends = [len(surface["places"]) for surface in pair if several and surface["kind"] in ("segment", "capsule", "polygon")]
+    return max(ends, default=1)
 
 
 class Contacts:
@@ -309,6 +313,8 @@ class Contacts:
             return [gap], [center - out / length(out) * (radius + gap / 2)], None
         if against == "polygon":
             return [self._polygon(center, other) - radius], None, None
+        if against == "profile":
+            return [self._profile(center, other) - radius], None, None
         if against in ("cylinder", "bore"):
             return [self._about(center, radius, other)], None, None
         return None
@@ -348,6 +354,22 @@ class Contacts:
             far = length(center - nearest(center, start, end))
             outside = far if outside is None else ca.if_else(far < outside, far, outside)
         return ca.if_else(inside > 0, outside, inside)
+
+    def _profile(self, center, surface):
+        """How far out of the curve: |p − c(φ)| is least at the foot, which Newton's method finds by derivatives of |p − c(φ)|²."""
+        place = self._place(surface)
+        at = ca.mtimes(self._axes(place).T, center - self.kinematics.position(place))
+        table = self.model.tables[surface["radius"]["value"]["name"]]
+        angle, point, base = ca.SX.sym("angle"), ca.SX.sym("point", 2), ca.SX.sym("base")
+        curve = (base + table(angle)) * ca.vertcat(ca.cos(angle), ca.sin(angle))
+        slope = ca.gradient(ca.sumsqr(point - curve) / 2, angle)
+        tangent = ca.jacobian(curve, angle)
+        step, out = slope / ca.jacobian(slope, angle), ca.vertcat(tangent[1], -tangent[0]) / length(tangent)
+        given = [at, self._size(surface, "base", ca.SX(0))]
+        foot = ca.atan2(at[1], at[0])
+        for _ in range(FEET):
+            foot = foot - ca.substitute(step, ca.vertcat(angle, point, base), ca.vertcat(foot, *given))
+        return ca.substitute(ca.dot(out, point - curve), ca.vertcat(angle, point, base), ca.vertcat(foot, *given))
 
     def _about(self, center, radius, surface):
         axis, own, whole = self._axis(surface), self._size(surface, "radius"), self._size(surface, "length")

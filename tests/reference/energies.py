@@ -61,7 +61,7 @@ class Energies:
 
         declared = [state for state in self.model.states if state["name"] in self.model.rates]
         rates = [evaluate(self.model.rates[state["name"]], kinematics) for state in declared]
-        rates += [rate for load in self.model.definition["loads"] for rate in self._hysteresis(load)[1]]
+        rates += [rate for load in self.model.definition["loads"] for rate in self._inner_rates(load)]
         self.internal_rates = ca.vertcat(*rates) if rates else ca.SX(0, 1)
         starts = [expressions.entry(state, self.model) for state in self.model.states]
         self.internal_starts = ca.vertcat(*starts) if starts else ca.SX(0, 1)
@@ -243,6 +243,9 @@ class Energies:
             return ca.SX(0), []
         way = evaluate(load["expression"], self.kinematics)
         return hysteresis.law(load, self.model, way, self.kinematics.rate(way))
+
+    def _inner_rates(self, load):
+        return self._hysteresis(load)[1] or friction.inner_rates(load, self.kinematics)
 
     def power(self, name):
         return self.load(name).power()

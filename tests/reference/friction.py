@@ -9,10 +9,11 @@ it acts on the material of both bodies at the point where they touch, along what
 import casadi as ca
 import numpy as np
 
+import bristles
 import contacts
 from expressions import entry, evaluate
 
-KINDS = ("coulomb", "stribeck")
+KINDS = ("coulomb", "stribeck", *bristles.KINDS)
 TURNING = ("revolute", "universal", "spherical")
 SMALLEST = 1e-9  # of the weight
 STANDARD_GRAVITY = 9.80665
@@ -59,8 +60,10 @@ def slips(load, kinematics):
     return [([along], one)]
 
 
-def resisted(load, kinematics, v):
-    """p and o of each component."""
+def resisted(load, kinematics, v, z=()):
+    """p and o of each component; z are deflections where the law remembers."""
+    if load["kind"] in bristles.KINDS:
+        return bristles.resisted(load, kinematics, v, z)
     speed = value(load, "speed", kinematics)
     squares = sum(component**2 for component in v)
     smooth = ca.sqrt(squares + speed**2)
@@ -77,7 +80,15 @@ def in_contact(load, kinematics):
     """Rates w and what acts along them at each place where surfaces touch."""
     rates, acting, touching = [], [], kinematics.contacts
     places = zip(touching.closed(load["on"]), touching.forces(load["on"]), touching.sliding(load["on"]))
+    deflections = iter(bristles.own(load, kinematics.model))
     for closed, pressed, (velocity, normal) in places:
+        if load["kind"] in bristles.KINDS:
+            frame, sliding = bristles.sliding(velocity, normal)
+            z = [next(deflections) for _ in sliding]
+            along = [-(pressed * p + ca.if_else(closed, o, 0)) for p, o in resisted(load, kinematics, sliding, z)]
+            rates.append(velocity)
+            acting += ca.vertsplit(ca.mtimes(frame, ca.vertcat(*along)))
+            continue
         tangential = velocity if normal is None else velocity - normal * ca.dot(normal, velocity)
         resisted_along = resisted(load, kinematics, ca.vertsplit(tangential))
         rates.append(velocity)
@@ -90,13 +101,33 @@ def efforts(load, kinematics):
     if contacts.find(kinematics.model.definition, load["on"]):
         return in_contact(load, kinematics)
     pressed = normal(load, kinematics.model)
-    rates, acting = [], []
+    rates, acting, deflections = [], [], iter(bristles.own(load, kinematics.model))
     for group, arm in slips(load, kinematics):
         v = [factor * rate for rate, factor in group]
-        for (rate, factor), (p, o) in zip(group, resisted(load, kinematics, v)):
+        z = [next(deflections) for _ in v] if load["kind"] in bristles.KINDS else []
+        for (rate, factor), (p, o) in zip(group, resisted(load, kinematics, v, z)):
             rates.append(rate)
             acting.append(-factor * (pressed * arm * p + o))
     return ca.vertcat(*rates), ca.vertcat(*acting)
+
+
+def inner_rates(load, kinematics):
+    """The rates of its deflections."""
+    if load["kind"] not in bristles.KINDS:
+        return []
+    deflections, found = iter(bristles.own(load, kinematics.model)), []
+    if contacts.find(kinematics.model.definition, load["on"]):
+        touching = kinematics.contacts
+        for closed, (velocity, normal) in zip(touching.closed(load["on"]), touching.sliding(load["on"])):
+            v = bristles.sliding(velocity, normal)[1]
+            z = [next(deflections) for _ in v]
+            bent = bristles.bending(load, kinematics, v, z)
+            found += [ca.if_else(closed, rate, -z / bristles.FORGETTING) for rate, z in zip(bent, z)]
+        return found
+    for group, _ in slips(load, kinematics):
+        v = [factor * rate for rate, factor in group]
+        found += bristles.bending(load, kinematics, v, [next(deflections) for _ in v])
+    return found
 
 
 def pressing(load, kinematics, force, torque, small):

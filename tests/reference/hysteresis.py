@@ -6,6 +6,7 @@ A state is a deflection of a spring in a row with a slider. Those of a load are 
 import casadi as ca
 import numpy as np
 
+import bristles
 from expressions import entry
 from tables import in_si
 
@@ -56,6 +57,8 @@ def states(definition):
             found.append(f"{load['name']}.deflection")
         elif load["kind"] == "masing":
             found += [f"{load['name']}.element[{i}]" for i in range(len(elements(load, definition)[0]))]
+        elif load["kind"] in bristles.KINDS:
+            found += bristles.states(load, definition)
     return [{"name": name, "unit": None, "value": {"number": "0"}} for name in found]
 
 

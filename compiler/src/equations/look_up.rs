@@ -1,8 +1,11 @@
 //! Tables on the graph: the row that the argument is in, which value and derivatives share, and the polynomial of that row.
 
+mod profile;
+
 use super::jet::Moving;
 use crate::model::{Curve, LookUp};
 use crate::symbolic::{Node, Op, Orders, Scalar, Sheet, Unary};
+use profile::Foot;
 use std::f64::consts::TAU;
 
 /// Derivatives of a table at one place.
@@ -78,6 +81,9 @@ fn floor(x: Scalar) -> Scalar {
 
 /// The value of a table in an expression; `turns`: the symbols that count whole turns of angles.
 pub fn value<'g>(look_up: &LookUp, arguments: &[Scalar<'g>], turns: &[Node], g: Sheet<'g>) -> Scalar<'g> {
+    if let Some(foot) = Foot::of(look_up, arguments) {
+        return foot.derivative(look_up.orders);
+    }
     Found::of(look_up, arguments, turns, g).map_or_else(|| g.zero(), |found| found.derivative(0, 0))
 }
 
@@ -85,18 +91,27 @@ pub fn value<'g>(look_up: &LookUp, arguments: &[Scalar<'g>], turns: &[Node], g: 
 pub fn jet<'g>(look_up: &LookUp, arguments: &[Moving<'g>], turns: &[Node]) -> Option<Moving<'g>> {
     let g = arguments.first()?.g;
     let values: Vec<Scalar> = arguments.iter().map(|it| it.value()).collect();
+    if let (Some(foot), [x, y, _]) = (Foot::of(look_up, &values), arguments) {
+        let orders = look_up.orders;
+        let of =
+            |first, second| foot.derivative(Orders::new(orders.first() + first, orders.second() + second));
+        return Some(of_two([x, y], of));
+    }
     let found = Found::of(look_up, &values, turns, g)?;
     let of = |first, second| found.derivative(first, second);
     match arguments {
         [x] => Some(x.chain(of(0, 0), of(1, 0), of(2, 0))),
-        [x, y] => {
-            let mut result = of(1, 0) * x + of(0, 1) * y;
-            let (u, v) = (x.rate(), y.rate());
-            let curved = of(2, 0) * u.square() + 2.0 * (of(1, 1) * (u * v)) + of(0, 2) * v.square();
-            result.jet.value = of(0, 0).bare;
-            result.jet.bias = (result.bias() + curved).bare;
-            Some(result)
-        }
+        [x, y] => Some(of_two([x, y], of)),
         _ => None,
     }
+}
+
+/// By the derivatives of a function of two.
+fn of_two<'g>([x, y]: [&Moving<'g>; 2], of: impl Fn(u8, u8) -> Scalar<'g>) -> Moving<'g> {
+    let mut result = of(1, 0) * x + of(0, 1) * y;
+    let (u, v) = (x.rate(), y.rate());
+    let curved = of(2, 0) * u.square() + 2.0 * (of(1, 1) * (u * v)) + of(0, 2) * v.square();
+    result.jet.value = of(0, 0).bare;
+    result.jet.bias = (result.bias() + curved).bare;
+    result
 }

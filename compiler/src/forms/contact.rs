@@ -30,6 +30,8 @@ pub enum SurfaceKind {
     /// From place to place: a segment or a capsule.
     Bar,
     Polygon,
+    /// A closed curve in polar form.
+    Profile,
     Cylinder,
     Bore,
     Rim,
@@ -99,6 +101,18 @@ pub static SURFACES: &[SurfaceForm] = &[
         SurfaceKind::Polygon,
         PLANAR,
         "a convex polygon, its corners counter-clockwise",
+    ),
+    surface(
+        "profile",
+        PLACE,
+        &[
+            Argument::of("radius", Need::Always, Value::Word),
+            Argument::scalar("base", Need::Never, Dimension::LENGTH),
+            Argument::scalar("refine", Need::Never, Dimension::ONE),
+        ],
+        SurfaceKind::Profile,
+        PLANAR,
+        "what lies within a closed curve, whose distance from the place is a table of the angle about it, and a base",
     ),
     surface("sphere", PLACE, &[RADIUS], SurfaceKind::Round, SPATIAL, "a ball about the place"),
     surface("ball_socket", PLACE, &[RADIUS], SurfaceKind::Hollow, SPATIAL, "all but a ball about the place"),

@@ -49,6 +49,8 @@ pub enum Owned {
     One { name: &'static str, size: &'static str },
     /// One for each element of a backbone, as large as the way at which it yields.
     Elements { name: &'static str, backbone: &'static str },
+    /// Of a friction one for each component of the sliding, as large as one argument over another.
+    Bristles { name: &'static str, most: &'static str, stiffness: &'static str },
 }
 
 /// A warning, if there is one, of a load with this name and these arguments.

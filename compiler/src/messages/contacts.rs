@@ -66,6 +66,52 @@ pub(crate) fn polygon_not_convex(at: &str) -> String {
     )
 }
 
+pub(crate) fn profile_is_a_table() -> String {
+    "the radius of a profile is the name of a table of the angle: declare `table flank(turn [deg]) [mm] = [(0, 20), …, (360, 20)], periodic;` and \
+     write `radius = flank`"
+        .to_string()
+}
+
+pub(crate) fn profile_of_two(table: &str) -> String {
+    format!("`{table}` is a table of two arguments: the radius of a profile depends on the angle alone")
+}
+
+pub(crate) fn profile_not_closed(table: &str, period: Option<f64>) -> String {
+    let found = match period {
+        None => "does not repeat itself".to_string(),
+        Some(period) => format!("repeats itself after {} degrees", number(period.to_degrees())),
+    };
+    format!(
+        "`{table}` {found}: a profile comes round after a whole turn; let its knots go from 0 to 360 deg, and write `periodic` behind them"
+    )
+}
+
+pub(crate) fn passes_of_profile(found: f64, most: f64) -> String {
+    format!(
+        "`refine` is how often the foot on the profile is made better, a whole number from 0 to {most}, found {}",
+        number(found)
+    )
+}
+
+pub(crate) fn profile_about_nothing(name: &str, angle: f64, radius: f64) -> String {
+    format!(
+        "the radius of `{name}` is {} mm at {} deg: a profile goes around its place, so that its radius is positive everywhere; add a `base`, \
+         as `base [mm] = 20`",
+        number(1e3 * radius),
+        number(angle.to_degrees())
+    )
+}
+
+pub(crate) fn roller_too_large(roller: &str, radius: f64, profile: &str, angle: f64, hollow: f64) -> String {
+    format!(
+        "`{roller}` has a radius of {} mm and does not reach into the hollow of `{profile}` at {} deg, which has {} mm: it would touch at two \
+         places at once; make it smaller",
+        number(1e3 * radius),
+        number(angle.to_degrees()),
+        number(1e3 * hollow)
+    )
+}
+
 pub(crate) fn surfaces_of_one_body(first: &str, second: &str) -> String {
     format!(
         "`{first}` and `{second}` are of one body, so the gap between them never changes: a contact is between two bodies, or a body and the ground"
@@ -84,7 +130,7 @@ pub(crate) fn hole_too_small(hole: &str, outside: f64, inner: &str, inside: f64)
 pub(crate) fn no_such_pair(first: &str, second: &str, space: Space) -> String {
     let known = match space {
         Space::Planar => {
-            "a point or circle meets a half_plane, circle, hole, segment or polygon; a segment or polygon meets a half_plane"
+            "a point or circle meets a half_plane, circle, hole, segment, polygon or profile; a segment or polygon meets a half_plane"
         }
         Space::Spatial => {
             "a point or sphere meets a plane, sphere, capsule, cylinder, ball_socket or bore; a capsule or disk_rim meets a plane"

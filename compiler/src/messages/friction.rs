@@ -8,8 +8,8 @@ pub(crate) fn friction_without_joint() -> String {
 }
 
 pub(crate) fn dry_friction() -> String {
-    "`dry` friction, which sticks exactly, is not there yet; `coulomb` creeps where it would stick, with a \
-     speed of the order of its `speed`, `stribeck` likewise"
+    "`dry` friction, which sticks without giving way, is not there yet; `lugre` and `asperity` hold what rests after a deflection \
+     of static/stiffness or coefficient/stiffness; `coulomb` and `stribeck` creep with a speed of the order of their `speed`"
         .to_string()
 }
 

@@ -5,9 +5,9 @@ use super::names::Part;
 use super::tables::Table;
 use super::unused::Scope;
 use super::{BodyId, Coordinate, DeclaredUnit, Expr, Frame, InternalState, JointId, Load, Name};
-use super::{LoadId, Quantity, Rate, Rotor, Space, Subject, fold};
+use super::{Function2, LoadId, Quantity, Rate, Rotor, Sliding, Space, Subject, fold};
 use crate::diagnostics::{Diagnostics, Region};
-use crate::forms::{Acts, Interpolation, Outside, Owned};
+use crate::forms::{Acts, Bearing, Interpolation, Outside, Owned};
 use crate::messages;
 use crate::syntax::{self, Entry, TableData, Term, TermKind};
 use crate::units::Dimension;
@@ -128,9 +128,10 @@ impl<'d> Lowering<'d> {
     pub(super) fn states_of_loads(&mut self, loads: &mut [Load], states: &mut Vec<InternalState>) {
         let mut known: Vec<(String, Region)> =
             states.iter().map(|state| (state.name.identifier(), state.name.span)).collect();
+        let components: Vec<usize> = loads.iter().map(|load| self.components(load, loads)).collect();
         for (id, load) in loads.iter_mut().enumerate() {
             let first = states.len();
-            let owned = sizes(load);
+            let owned = sizes(load, components[id]);
             for (which, (text, size)) in owned.into_iter().enumerate() {
                 let name = Name { text, span: load.name.span };
                 let identifier = name.identifier();
@@ -158,8 +159,30 @@ impl<'d> Lowering<'d> {
     }
 }
 
-/// The names and sizes of a load's states.
-fn sizes(load: &Load) -> Vec<(String, Expr)> {
+impl Lowering<'_> {
+    /// How many components the sliding of a friction has, in all that slides.
+    fn components(&self, load: &Load, loads: &[Load]) -> usize {
+        match load.on.first() {
+            Some(Subject::Bearing(joint, _)) => match self.definition.joints[joint.0].form.bearing {
+                Some(Bearing::Ball) => 3,
+                Some(Bearing::Cross | Bearing::Sleeve) => 2,
+                Some(Bearing::Pin | Bearing::Rail | Bearing::Point) | None => 1,
+            },
+            Some(Subject::Touches(contact)) => {
+                let each = |sliding: &Sliding| match sliding {
+                    Sliding::Along(_) => 1,
+                    Sliding::Surfaces(_) if self.definition.space == Space::Planar => 1,
+                    Sliding::Surfaces(_) => 3,
+                };
+                loads[contact.0].slides.iter().map(each).sum()
+            }
+            _ => 0,
+        }
+    }
+}
+
+/// The names and sizes of a load's states; of a friction as many as its sliding has components.
+fn sizes(load: &Load, components: usize) -> Vec<(String, Expr)> {
     let argument = |name: &str| {
         let at = load.form.call.named.iter().position(|argument| argument.name == name);
         at.map_or(&[][..], |at| &load.values[at][..])
@@ -169,6 +192,16 @@ fn sizes(load: &Load) -> Vec<(String, Expr)> {
         None => Vec::new(),
         Some(Owned::One { name, size }) => {
             argument(size).iter().map(|size| (format!("{owner}.{name}"), size.clone())).collect()
+        }
+        Some(Owned::Bristles { name, most, stiffness }) => {
+            let first = |name| argument(name).first().cloned();
+            let size = first(most).zip(first(stiffness));
+            let size = size.map(|(most, stiffness)| fold::binary(Function2::Div, most, stiffness));
+            let named = |which: usize| match components {
+                1 => format!("{owner}.{name}"),
+                _ => format!("{owner}.{name}[{which}]"),
+            };
+            (0..components).filter_map(|which| Some((named(which), size.clone()?))).collect()
         }
         Some(Owned::Elements { name, backbone }) => {
             let elements = argument(backbone).get(1..).unwrap_or_default().chunks(2).enumerate();
@@ -182,7 +215,8 @@ fn sizes(load: &Load) -> Vec<(String, Expr)> {
 /// SI.
 fn unit_of(load: &Load) -> DeclaredUnit {
     let text = match load.on.first() {
-        Some(Subject::Expression(_, way)) => way.to_string(),
+        Some(Subject::Expression(_, way) | Subject::Bearing(_, way)) => way.to_string(),
+        Some(Subject::Touches(_)) => Dimension::LENGTH.to_string(),
         _ => "1".to_string(),
     };
     DeclaredUnit { text: text.clone(), scale: 1.0, si: text }

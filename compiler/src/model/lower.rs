@@ -96,9 +96,9 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
     Lowering::modes_at_rest(&mut mechanism);
     mechanism.states = lowering.states();
     friction::number(&mut mechanism.loads);
-    lowering.states_of_loads(&mut mechanism.loads, &mut mechanism.states);
     lowering.all_signals();
     lowering.slides(&mut mechanism.loads);
+    lowering.states_of_loads(&mut mechanism.loads, &mut mechanism.states);
     mechanism.tables = std::mem::take(&mut lowering.tables).into_iter().flatten().collect();
     mechanism.kinks = std::mem::take(&mut lowering.kinks);
     mechanism.unused = unused::unused(definition, &lowering.used);

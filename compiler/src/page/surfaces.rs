@@ -104,6 +104,15 @@ impl Stand<'_> {
                 let corners = places.iter().chain(&places[..1]);
                 vec![corners.map(|place| self.place(place)).collect()]
             }
+            Shape::Profile { place, curve, base } => {
+                let base = self.size(base);
+                let corners: Vec<(f64, f64)> = curve.around(base).step_by(4).collect();
+                let corner = |(angle, radius): &(f64, f64)| {
+                    let way = [radius * libm::cos(*angle), radius * libm::sin(*angle), 0.0];
+                    sum(at, self.direction(place, &way.map(Expr::Number)))
+                };
+                vec![corners.iter().chain(&corners[..1]).map(corner).collect()]
+            }
             Shape::Cylinder { place, axis, radius, length } | Shape::Bore { place, axis, radius, length } => {
                 let (axis, radius) = (self.axis(place, axis), self.size(radius));
                 let (middle, half) = match length {

@@ -90,6 +90,90 @@ fn how_long_a_touch_takes() {
     assert!((blow.time / expected - 1.0).abs() < 1e-4, "{blow:?} {expected}");
 }
 
+/// A ball at 3 m beside a profile about the origin with these knots and words behind them, and these arguments.
+fn profiled(knots: &str, words: &str, arguments: &str) -> String {
+    ball(
+        3.0,
+        &format!(
+            "table flank(turn [deg]) [mm] = [{knots}]{words}; table grid(turn [deg], x [m]) [mm] = grid((0, 1), (0, 1), [(1, 2), (3, 4)]), bilinear;
+             #[allow(unused)] surface lobe: profile(ground(0, 0) [m], {arguments});
+             contact touch: between(ball.surface, lobe) = kelvin_voigt(stiffness [N/m] = 1e4);"
+        ),
+    )
+}
+
+/// Its one message has this in it.
+#[track_caller]
+fn only(source: &str, expected: &str) {
+    let found = bad(source);
+    let found: Vec<&str> = found.iter().map(|error| error.message.as_str()).collect();
+    assert!(matches!(found[..], [message] if message.contains(expected)), "{found:?}, not {expected}");
+}
+
+const KNOTS: &str = "(0, 0), (90, 5), (180, 8), (270, 4), (360, 0)";
+
+#[test]
+fn a_profile_is_a_closed_curve_about_its_place() {
+    compiled(&profiled(KNOTS, ", periodic", "radius = flank, base [mm] = 400"));
+    for (knots, words, arguments, expected) in [
+        (
+            KNOTS,
+            ", periodic",
+            "radius = 20 [mm]",
+            "the radius of a profile is the name of a table of the angle: declare `table flank(turn [deg]) [mm] = [(0, 20), …, (360, 20)], \
+             periodic;` and write `radius = flank`",
+        ),
+        (
+            KNOTS,
+            ", periodic",
+            "radius = grid",
+            "`grid` is a table of two arguments: the radius of a profile depends on the angle alone",
+        ),
+        (
+            KNOTS,
+            "",
+            "radius = flank",
+            "`flank` does not repeat itself: a profile comes round after a whole turn; let its knots go from 0 to 360 deg, and write `periodic` \
+             behind them",
+        ),
+        (
+            "(0, 400), (90, 420), (180, 400)",
+            ", periodic",
+            "radius = flank",
+            "`flank` repeats itself after 180 degrees: a profile comes round after a whole turn; let its knots go from 0 to 360 deg, and write \
+             `periodic` behind them",
+        ),
+        (
+            KNOTS,
+            ", periodic",
+            "radius = flank, base [mm] = 400, refine = 1.5",
+            "`refine` is how often the foot on the profile is made better, a whole number from 0 to 8, found 1.5",
+        ),
+        (
+            KNOTS,
+            ", periodic",
+            "radius = flank",
+            "a profile goes around its place, so that its radius is positive everywhere; add a `base`, as `base [mm] = 20`",
+        ),
+        (
+            "(0, 0), (60, 0), (90, -150), (120, 0), (360, 0)",
+            ", periodic",
+            "radius = flank, base [mm] = 400",
+            "it would touch at two places at once; make it smaller",
+        ),
+    ] {
+        only(&profiled(knots, words, arguments), expected);
+    }
+    let grain = "planar Bench { particle grain { mass [kg] = 1; } disk ball { mass [kg] = 1; radius [m] = 0.1; }
+        table flank(turn [deg]) [mm] = [(0, 400), (180, 420), (360, 400)], periodic; surface lobe: profile(grain.center, radius = flank);
+        contact touch: between(ball.surface, lobe) = 0 [N]; start { ball.center.x [m] = 3; ball.center.y [m] = 0; grain.center.x [m] = 0; grain.center.y [m] = 0; } }";
+    only(grain, "`grain.center` is a particle and has no orientation");
+    let speed = "planar Bench { disk ball { mass [kg] = 1; radius [m] = 0.1; } table flank(turn [m]) [mm] = [(0, 400), (3, 420), (6, 400)], periodic;
+        surface lobe: profile(ground(0, 0) [m], radius = flank); contact touch: between(ball.surface, lobe) = 0 [N];
+        start { ball.center.x [m] = 3; ball.center.y [m] = 0; } }";
+    only(speed, "expected rad, found m");
+}
+
 /// Those of surfaces and laws that no pair in `tests/ui` shows.
 #[test]
 fn one_message_for_each_mistake() {

@@ -10,8 +10,10 @@ use crate::json::{field, list, name, optional, text};
 use crate::kinematics::{Place, Section};
 use crate::load::{Acts, Load};
 use crate::quantity::Quantity;
+use crate::table::{Look, Table};
 use crate::vector::*;
 use serde_json::Value;
+use std::sync::Arc;
 
 /// m².
 const TINY: f64 = 1e-24;
@@ -32,6 +34,8 @@ enum Shape {
         bore: bool,
     },
     Rim(Place, V3, f64),
+    /// A closed curve about a place, with its base.
+    Profile(Place, Arc<Table>),
 }
 
 /// Where two surfaces may touch.
@@ -128,6 +132,15 @@ impl<'t> Reader<'t> {
                 Shape::Bar([from, to], radius()?)
             }
             "polygon" => Shape::Polygon(places),
+            "profile" => {
+                let table = text(field(field(node, "radius", own)?, "value", own)?, "name", own)?;
+                let table = self.tables.get(table).ok_or_else(|| DefinitionError::unknown(wanted, table))?;
+                let Table::Curve(curve) = &**table else {
+                    return Err(DefinitionError::malformed(wanted, "radius"));
+                };
+                let (curve, base) = (curve.clone(), size("base")?.unwrap_or(0.0));
+                Shape::Profile(first()?, Arc::new(Table::Profile { curve, base }))
+            }
             kind @ ("cylinder" | "bore") => {
                 let place = first()?;
                 let axis = axis(&place)?;
@@ -350,6 +363,14 @@ impl LawReader<'_, '_> {
                 }]
             }
             (Shape::Round(p, r), Shape::Bar(ends, own)) => vec![self.bar(p, *r, ends, *own)],
+            (Shape::Round(p, r), Shape::Profile(place, table)) => {
+                let axes = [0, 1].map(|axis| turned(&place.axes, unit_axis(axis)));
+                let along = |axis| Quantity::Along { axis, first: place.clone(), second: p.clone() };
+                let look = Look { table: table.clone(), slope: false };
+                let far = Expression::Table(look, Box::new(axes.map(|axis| self.leaf(along(axis)))));
+                let gap = plus_of(far, Expression::Number(-r));
+                vec![Meeting { gap, point: None, radius: None, between: round(p, place, *r) }]
+            }
             (Shape::Round(p, r), Shape::Polygon(corners)) => vec![self.polygon(p, *r, corners)],
             (Shape::Round(p, r), Shape::Cylinder { place, axis, radius, length, bore }) => {
                 vec![self.cylinder(p, *r, place, *axis, [*radius, length.unwrap_or(f64::INFINITY)], *bore)]

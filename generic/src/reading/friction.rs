@@ -11,7 +11,7 @@ use crate::vector::*;
 use serde_json::Value;
 
 pub(super) fn is_friction(kind: &str) -> bool {
-    matches!(kind, "coulomb" | "stribeck")
+    matches!(kind, "coulomb" | "stribeck" | "lugre" | "asperity")
 }
 
 impl Reader<'_> {
@@ -69,6 +69,9 @@ impl Reader<'_> {
             Some(entry) => self.law(field(entry, "value", own)?, own, May::Motion),
             None => Ok(Law::constant(0.0)),
         };
+        if let Some(bristles) = self.bristles(node, own)? {
+            return Ok(Sliding::Remembers(bristles));
+        }
         let speed = number("speed")?;
         Ok(match text(node, "kind", own)? {
             "coulomb" => {

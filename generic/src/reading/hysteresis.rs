@@ -36,7 +36,7 @@ impl Reader<'_> {
                     let (elements, _) = self.backbone(node, own)?;
                     names.extend((0..elements.len()).map(|k| format!("{own}.element[{k}]")));
                 }
-                _ => {}
+                _ => names.extend(self.bristles_of(node, own)?),
             }
         }
         Ok(names)
@@ -72,7 +72,7 @@ impl Reader<'_> {
                         add(name, rate);
                     }
                 }
-                _ => {}
+                _ => states.extend(self.bristle_states(node, own)?),
             }
         }
         Ok(states)

@@ -4,6 +4,7 @@
 //! the part at fault.
 
 mod bodies;
+mod bristles;
 mod contacts;
 mod couplings;
 mod friction;

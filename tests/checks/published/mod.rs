@@ -2,9 +2,11 @@
 //! its first line; single numbers are cited where they stand.
 
 mod adams;
+mod backlash;
 mod beams;
 mod beams_in_space;
 mod benchmarks;
+mod bristles;
 mod cables;
 mod cams;
 mod closed_forms;

@@ -50,7 +50,7 @@ pub static LOAD: LoadKind = LoadKind {
 /// v_s.
 pub(super) const SPEED: Value = Value::Along { effort: false, way: 1, time: -1 };
 
-fn resistance<'g>(laws: &Laws<'g>, load: &Load, v: &[Scalar<'g>]) -> Vec<[Scalar<'g>; 2]> {
+fn resistance<'g>(laws: &Laws<'g>, load: &Load, v: &[Scalar<'g>], _: &[Scalar<'g>]) -> Vec<[Scalar<'g>; 2]> {
     let [coefficient, speed, force, torque] =
         ["coefficient", "speed", "force", "torque"].map(|name| laws.value(load.named(name)));
     direction(v, speed).into_iter().map(|s| [coefficient * s, (force + torque) * s]).collect()

@@ -8,8 +8,11 @@
 //! `normal`, what it is for a state in `solve::friction`. N of a contact is its law, which is a function of the state. One file for each law
 //! p, o; what slides, and what presses, is `bearing` in joints and `touching` in contacts.
 
+mod asperity;
 mod bearing;
+mod bristles;
 mod coulomb;
+mod lugre;
 mod magnitudes;
 mod normal;
 mod stribeck;
@@ -24,21 +27,25 @@ use crate::model::Load;
 use crate::symbolic::{Compare, Scalar};
 
 /// The laws of friction, which the plane and space have in common.
-pub static LAWS: &[&LoadKind] = &[&coulomb::LOAD, &stribeck::LOAD];
+pub static LAWS: &[&LoadKind] = &[&coulomb::LOAD, &stribeck::LOAD, &lugre::LOAD, &asperity::LOAD];
 
-/// p and o of each component of a sliding v: rad/s where the surfaces turn on each other, else m/s.
-type Resistance = for<'g> fn(&Laws<'g>, &Load, &[Scalar<'g>]) -> Vec<[Scalar<'g>; 2]>;
+/// p and o of each component of a sliding v: rad/s where the surfaces turn on each other, else m/s. Laws that remember have a
+/// deflection z of each component too.
+type Resistance = for<'g> fn(&Laws<'g>, &Load, v: &[Scalar<'g>], z: &[Scalar<'g>]) -> Vec<[Scalar<'g>; 2]>;
 
 /// −(N a p + o) along each of the coordinates that slide, a being the radius of what turns; and where a length of surface
 /// turns and shifts, by the same law along both.
 fn terms<'g>(laws: &Laws<'g>, load: &Load, resistance: Resistance) -> LoadTerms<'g> {
-    slips(laws, load).into_iter().fold(LoadTerms::none(laws), |sum, slip| {
-        let efforts = slip.efforts(laws, load, resistance);
-        slip.along
-            .iter()
-            .zip(efforts)
-            .fold(sum, |sum, ((coordinate, _), effort)| sum.and(along(coordinate, effort)))
-    })
+    slips(laws, load).into_iter().zip(deflections(laws, load)).fold(
+        LoadTerms::none(laws),
+        |sum, (slip, z)| {
+            let efforts = slip.efforts(laws, load, &z, resistance);
+            slip.along
+                .iter()
+                .zip(efforts)
+                .fold(sum, |sum, ((coordinate, _), effort)| sum.and(along(coordinate, effort)))
+        },
+    )
 }
 
 /// What it exerts along the first coordinate that slides.
@@ -48,7 +55,15 @@ fn effort<'g>(laws: &Laws<'g>, load: &Load, resistance: Resistance) -> Scalar<'g
         slips.truncate(1);
     }
     // Each gap of a contact slides along one of its own.
-    laws.g.sum(slips.iter().filter_map(|slip| slip.efforts(laws, load, resistance).first().copied()))
+    let first =
+        |(slip, z): (&Slip<'g>, Vec<Scalar<'g>>)| slip.efforts(laws, load, &z, resistance).first().copied();
+    laws.g.sum(slips.iter().zip(deflections(laws, load)).filter_map(first))
+}
+
+/// z of each slip, as many as it has components; none where the law does not remember.
+fn deflections<'g>(laws: &Laws<'g>, load: &Load) -> Vec<Vec<Scalar<'g>>> {
+    let mut states = laws.states(load).into_iter();
+    slips(laws, load).iter().map(|slip| states.by_ref().take(slip.along.len()).collect()).collect()
 }
 
 /// N, the preload included.
@@ -107,8 +122,14 @@ impl<'g> Slip<'g> {
         }
     }
 
-    fn efforts(&self, laws: &Laws<'g>, load: &Load, resistance: Resistance) -> Vec<Scalar<'g>> {
-        let resisted = resistance(laws, load, &self.sliding());
+    fn efforts(
+        &self,
+        laws: &Laws<'g>,
+        load: &Load,
+        z: &[Scalar<'g>],
+        resistance: Resistance,
+    ) -> Vec<Scalar<'g>> {
+        let resisted = resistance(laws, load, &self.sliding(), z);
         let efforts = self.along.iter().zip(resisted);
         let own = |o: Scalar<'g>| self.closed.map_or(o, |closed| closed.select(o, laws.g.zero()));
         efforts.map(|((_, lever), [p, o])| -(*lever * (self.pressed * (self.radius * p) + own(o)))).collect()

@@ -52,7 +52,7 @@ pub static LOAD: LoadKind = LoadKind {
 /// c.
 pub(super) const VISCOUS: Value = Value::Along { effort: true, way: -1, time: 1 };
 
-fn resistance<'g>(laws: &Laws<'g>, load: &Load, v: &[Scalar<'g>]) -> Vec<[Scalar<'g>; 2]> {
+fn resistance<'g>(laws: &Laws<'g>, load: &Load, v: &[Scalar<'g>], _: &[Scalar<'g>]) -> Vec<[Scalar<'g>; 2]> {
     let [speed, viscous] = ["speed", "viscous"].map(|name| laws.value(load.named(name)));
     let coefficient = coefficient(laws, load, v);
     let directions = direction(v, speed);

@@ -11,14 +11,19 @@ use super::{Geometry, difference, least, most, product, quotient, sum};
 use crate::messages;
 use crate::model::lower::Lowering;
 use crate::model::{
-    Comparison, Condition, Coordinate, Expr, Function1, Function2, Place, Quantity, Space, Vector, fold,
+    Comparison, Condition, Coordinate, Curve, Expr, Function1, Function2, LookUp, Place, Quantity, Space,
+    Vector, fold,
 };
+use crate::symbolic::Orders;
 use crate::syntax::Path;
 use crate::units::Dimension;
 use std::rc::Rc;
+use std::sync::Arc;
 
 /// ε², m².
 const TINY: f64 = 1e-24;
+/// Of a distance from a curve that is periodic, whose second derivative has no jumps.
+const SMOOTH: usize = 2;
 
 /// One place where two things may touch.
 #[derive(Clone, Debug)]
@@ -69,9 +74,22 @@ impl Lowering<'_> {
         Some(Geometry { meetings, dimension: Dimension::LENGTH, slides })
     }
 
-    /// A hole is larger than what is in it.
+    /// A hole is larger than what is in it, and a roller smaller than the hollows of what it rolls on.
     fn fits(&mut self, a: &Surface, b: &Surface) -> Option<()> {
         for (inner, outer) in [(a, b), (b, a)] {
+            if let (Shape::Round { radius, .. }, Shape::Profile { curve, base, .. }) =
+                (&inner.shape, &outer.shape)
+            {
+                let at = |value| fold::evaluate(value, self.defaults());
+                if let (Some(roller), Some(base)) = (at(radius), at(base))
+                    && let Some((angle, hollow)) = curve.hollow(base).filter(|(_, hollow)| *hollow <= roller)
+                {
+                    let message = messages::roller_too_large(&inner.text, roller, &outer.text, angle, hollow);
+                    self.diagnostics.error(inner.region, message);
+                    return None;
+                }
+                continue;
+            }
             let (
                 Shape::Round { radius, .. },
                 Shape::Hollow { radius: hole, .. } | Shape::Bore { radius: hole, .. },
@@ -131,6 +149,11 @@ fn meetings(first: &Shape, second: &Shape, space: Space) -> Option<Vec<Meeting>>
             one(bar(place, radius, ends, own, axes))
         }
         (Shape::Round { place, radius }, Shape::Polygon(corners)) => one(polygon(place, radius, corners)),
+        // g = d − r
+        (Shape::Round { place, radius }, Shape::Profile { place: middle, curve, base }) => {
+            let far = profile(place, middle, curve, base, [0, 0]);
+            one(Meeting::of(difference(far, radius.clone())))
+        }
         (Shape::Round { place, radius }, Shape::Cylinder { place: middle, axis, radius: own, length }) => {
             one(cylinder(place, radius, middle, axis, own, length.as_ref()))
         }
@@ -142,6 +165,19 @@ fn meetings(first: &Shape, second: &Shape, space: Space) -> Option<Vec<Meeting>>
         }
         _ => None,
     }
+}
+
+/// How far a place is out of a curve, or a derivative of that by its coordinates along the axes of the curve.
+pub(super) fn profile(
+    place: &Place,
+    middle: &Place,
+    curve: &Arc<Curve>,
+    base: &Expr,
+    [x, y]: [u8; 2],
+) -> Expr {
+    let mut arguments = components(middle, place, 2);
+    arguments.push(base.clone());
+    fold::table(LookUp { curve: curve.clone(), orders: Orders::new(x, y), smoothness: SMOOTH, arguments })
 }
 
 /// g = n·(p − p₀) − r.

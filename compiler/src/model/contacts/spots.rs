@@ -3,7 +3,7 @@
 //! The point is halfway between both surfaces, the normal of unit length from the second of a pair to the first, along the axes of the world.
 
 use super::pairs::{
-    Beside, Edge, Meeting, Tilt, about, coordinate, direction, edges, root, square, squares, unit,
+    Beside, Edge, Meeting, Tilt, about, coordinate, direction, edges, profile, root, square, squares, unit,
 };
 use super::surfaces::Shape;
 use super::{difference, least, most, product, quotient, sum};
@@ -59,6 +59,10 @@ fn touch(first: &Shape, second: &Shape, which: usize, gap: &Expr, axes: usize) -
         (Shape::Round { place, .. }, Shape::Bar { ends, radius: own }) => bar(place, ends, own, gap, axes),
         (Shape::Round { place, radius }, Shape::Polygon(corners)) => {
             below(place, radius, gap, world(&corners[0], &polygon(place, corners)))
+        }
+        (Shape::Round { place, radius }, Shape::Profile { place: middle, curve, base }) => {
+            let normal = [[1, 0], [0, 1]].map(|orders| profile(place, middle, curve, base, orders));
+            below(place, radius, gap, world(middle, &normal))
         }
         (Shape::Round { place, radius }, Shape::Cylinder { place: middle, axis, radius: own, length }) => {
             let normal = cylinder(place, middle, axis, own, length.as_ref());

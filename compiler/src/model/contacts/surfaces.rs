@@ -8,9 +8,15 @@ use crate::model::joints::LowerLine;
 use crate::model::lower::{Lowering, Use};
 use crate::model::names::Part;
 use crate::model::unused::Scope;
-use crate::model::{Axes, BodyId, Expr, Frame, Function1, Place, Vector, fold, loads::normalised};
+use crate::model::{Axes, BodyId, Curve, Expr, Frame, Function1, Place, Vector, fold, loads::normalised};
 use crate::syntax::{self, Path, PlaceTerm, TermKind};
 use crate::units::Dimension;
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+/// Passes for the foot on a profile, and the most of them.
+const REFINED: usize = 3;
+const MOST_REFINED: f64 = 8.0;
 
 /// What may touch another.
 #[derive(Clone, Debug)]
@@ -43,6 +49,12 @@ pub enum Shape {
         radius: Expr,
     },
     Polygon(Vec<Place>),
+    /// Solid within a closed curve in polar form about the place, to which a base is added.
+    Profile {
+        place: Place,
+        curve: Arc<Curve>,
+        base: Expr,
+    },
     Cylinder {
         place: Place,
         axis: Vector,
@@ -68,6 +80,7 @@ impl Shape {
             Shape::Round { place, .. }
             | Shape::Hollow { place, .. }
             | Shape::Flat { place, .. }
+            | Shape::Profile { place, .. }
             | Shape::Cylinder { place, .. }
             | Shape::Bore { place, .. }
             | Shape::Rim { place, .. } => place,
@@ -84,6 +97,7 @@ impl Shape {
             Shape::Flat { .. } => "a half-plane or plane",
             Shape::Bar { .. } => "a segment or capsule",
             Shape::Polygon(_) => "a polygon",
+            Shape::Profile { .. } => "a profile",
             Shape::Cylinder { .. } => "a cylinder",
             Shape::Bore { .. } => "a bore",
             Shape::Rim { .. } => "the rim of a disk",
@@ -161,6 +175,7 @@ impl<'d> Lowering<'d> {
                 Shape::Bar { ends: [from, to], radius }
             }
             SurfaceKind::Polygon => self.polygon(written)?,
+            SurfaceKind::Profile => self.profile(written)?,
             SurfaceKind::Cylinder | SurfaceKind::Bore => {
                 let (place, axis) = self.directed(written)?;
                 let (radius, length) = (self.extent(written, "radius")??, self.extent(written, "length")?);
@@ -255,6 +270,76 @@ impl<'d> Lowering<'d> {
             }
         }
         Some(Shape::Polygon(places))
+    }
+
+    /// About a place that turns, by a table that comes round to where it began.
+    fn profile(&mut self, written: &'d syntax::Surface) -> Option<Shape> {
+        let name = &written.name.text;
+        let place = self.place(written.places.first()?)?;
+        if self.is_particle(place.frame) {
+            self.diagnostics.error(place.span, messages::particle_turns(&place.text));
+            return None;
+        }
+        let entry = written.named.entry("radius")?;
+        let region = entry.value.region;
+        let index = match (&entry.value.kind, &entry.unit) {
+            (TermKind::Name(path), None) => self.names.table(&path.text),
+            _ => None,
+        };
+        let Some(index) = index else {
+            self.diagnostics.error(region, messages::profile_is_a_table());
+            return None;
+        };
+        self.used.insert((Scope::Table, &self.definition.tables[index].name.text));
+        let table = self.tables.get(index)?.clone()?;
+        let text = &table.name.text;
+        let [angle] = &table.arguments[..] else {
+            self.diagnostics.error(region, messages::profile_of_two(text));
+            return None;
+        };
+        for (what, expected, found) in [
+            (messages::knot_of(text), Dimension::ANGLE, angle.dimension),
+            (messages::value_of(text), Dimension::LENGTH, table.value.dimension),
+        ] {
+            if !found.fits(expected) {
+                self.diagnostics.error(region, messages::wrong_unit(&what, expected, found));
+                return None;
+            }
+        }
+        let Curve::Line { pieces, period: Some(period @ [_, length]) } = &*table.curve else {
+            self.diagnostics.error(region, messages::profile_not_closed(text, None));
+            return None;
+        };
+        if (length - TAU).abs() > 1e-9 {
+            self.diagnostics.error(region, messages::profile_not_closed(text, Some(*length)));
+            return None;
+        }
+        let base = match written.named.entry("base") {
+            Some(entry) => self.entry(entry, Dimension::LENGTH, Use::COEFFICIENT, "base")?,
+            None => Expr::Number(0.0),
+        };
+        let passes = match written.named.entry("refine") {
+            None => REFINED,
+            Some(entry) => {
+                let found = self.number(entry, Dimension::ONE, "refine")?;
+                if found.fract() != 0.0 || !(0.0..=MOST_REFINED).contains(&found) {
+                    let message = messages::passes_of_profile(found, MOST_REFINED);
+                    self.diagnostics.error(entry.value.region, message);
+                    return None;
+                }
+                found as usize
+            }
+        };
+        let curve = Arc::new(Curve::Profile { pieces: pieces.clone(), period: *period, passes });
+        if let Some(base) = fold::evaluate(&base, self.defaults()) {
+            let least = curve.around(base).min_by(|a, b| a.1.total_cmp(&b.1));
+            if let Some((angle, radius)) = least.filter(|(_, radius)| *radius <= 0.0) {
+                let message = messages::profile_about_nothing(name, angle, radius);
+                self.diagnostics.error(region, message);
+                return None;
+            }
+        }
+        Some(Shape::Profile { place, curve, base })
     }
 
     /// Places of one surface are of one thing, and apart.

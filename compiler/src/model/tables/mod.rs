@@ -2,6 +2,7 @@
 
 mod calls;
 mod pieces;
+mod profile;
 mod slopes;
 mod splines;
 #[cfg(test)]
@@ -58,6 +59,8 @@ pub enum Curve {
     Line { pieces: Arc<symbolic::Table>, period: Option<[f64; 2]> },
     /// Rows of both arguments and of the patches, those of one row of the first argument one behind the other.
     Grid { axes: [Arc<symbolic::Table>; 2], patches: Arc<symbolic::Table> },
+    /// Of a place (x, y) and a base b, how far it is out of the closed curve b + r(φ): as many passes of Newton's method find the foot.
+    Profile { pieces: Arc<symbolic::Table>, period: [f64; 2], passes: usize },
 }
 
 /// A derivative of a table in an expression.
@@ -73,7 +76,9 @@ pub struct LookUp {
 impl Curve {
     /// Of the table.
     pub fn name(&self) -> &str {
-        let (Curve::Line { pieces, .. } | Curve::Grid { patches: pieces, .. }) = self;
+        let (Curve::Line { pieces, .. }
+        | Curve::Grid { patches: pieces, .. }
+        | Curve::Profile { pieces, .. }) = self;
         &pieces.name
     }
 

@@ -1,0 +1,42 @@
+//! Closed curves in polar form, b + r(φ), as numbers: how far they are from their middle and how they are bent.
+
+use super::Curve;
+use crate::symbolic::Orders;
+use std::f64::consts::TAU;
+
+/// Angles at which a curve is looked at.
+const LOOKS: u32 = 720;
+
+impl Curve {
+    /// b + r, r′ and r″ at an angle.
+    fn polar(&self, base: f64, angle: f64) -> [f64; 3] {
+        let (Curve::Profile { pieces, period: [start, length], .. }
+        | Curve::Line { pieces, period: Some([start, length]) }) = self
+        else {
+            return [f64::NAN; 3];
+        };
+        let x = angle - length * libm::floor((angle - start) / length);
+        let of = |order: u8| pieces.piece(Orders::new(order, 0).first(), pieces.cell(x), x);
+        [base + of(0), of(1), of(2)]
+    }
+
+    /// Angles and distances from the middle of a curve that is looked at all around.
+    pub fn around(&self, base: f64) -> impl Iterator<Item = (f64, f64)> + '_ {
+        angles().map(move |angle| (angle, self.polar(base, angle)[0]))
+    }
+
+    /// Where a curve is hollow most, and the radius of its curvature there: with κ = (r² + 2 r′² − r r″)/(r² + r′²)^1.5 it is −1/κ.
+    pub fn hollow(&self, base: f64) -> Option<(f64, f64)> {
+        let bent = |angle: f64| {
+            let [r, first, second] = self.polar(base, angle);
+            let square = r * r + first * first;
+            (square + first * first - r * second) / (square * libm::sqrt(square))
+        };
+        let most = angles().map(|angle| (angle, bent(angle))).min_by(|a, b| a.1.total_cmp(&b.1))?;
+        (most.1 < 0.0).then(|| (most.0, -1.0 / most.1))
+    }
+}
+
+fn angles() -> impl Iterator<Item = f64> {
+    (0..LOOKS).map(|k| TAU * f64::from(k) / f64::from(LOOKS))
+}
