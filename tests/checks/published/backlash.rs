@@ -39,7 +39,8 @@ fn geared_shafts_rattle_in_their_gap() {
     let early = until(0.1);
     let late = until(0.4);
     assert!((first - 0.01).abs() <= 1e-5, "first touch by {first} s");
-    assert_eq!(changes, 34);
+    // Of 12 touches 11 end, each where the force is zero; the source counts where the gap opens after that too.
+    assert_eq!(changes, 12 + 11);
     for (found, expected) in [
         (early, [0.176_616_418_677_195, 0.164_676_716_264_561, 3.158_584_548_046_504, 3.368_283_090_390_699]),
         (late, [0.509_203_377_76, 0.498_159_324_45, 1.398_068_637_96, 1.720_386_272_41]),

@@ -77,7 +77,8 @@ fn loose(speed: f64, degrees: &[f64]) -> Vec<(f64, f64, f64)> {
     let model =
         CamLiftOff::prepare(CamLiftOffParameters { speed, ..Default::default() }).expect("within its bounds");
     let tied = turning(speed);
-    let mut simulation = Simulation::new(&model, CamLiftOff::START).integrator(Rk4).step(1e-5);
+    let start = model.assemble(&CamLiftOff::START).expect("it turns at any speed");
+    let mut simulation = Simulation::new(&model, start).integrator(Rk4).step(1e-5);
     let look = |degrees: &f64| {
         simulation.advance_until((TAU + degrees.to_radians()) / speed).expect("it moves");
         let found = simulation.sample().outputs;

@@ -14,12 +14,12 @@ linkwright::mechanism! {
         joint wire: point_on_line(line(ground(-1, 0.5) [m], ground(1, 0.8) [m]), bead.center);
         spring tie: spring(arm.end, bead.center, stiffness [N/m] = 300, length [m] = 0.5);
         force pushing: force(slide.origin) = (push, 0 [N]);
-        friction f_rail: on(rail) = lugre(static = 0.3, kinetic = 0.2, transition [m/s] = 0.1, stiffness [1/m] = 200, damping [s/m] = 0.02,
+        friction f_rail: on(rail) = lugre(static = 0.3, kinetic = 0.2, transition [m/s] = 0.1, stiffness [1/m] = 200, damping [s/m] = 0.001,
             viscous [N*s/m] = 0.5, length [m] = 0.1);
         friction f_pin: on(pin) = asperity(coefficient = 0.25, stiffness [1/rad] = 2, radius [mm] = 15, speed [rad/s] = 0.1, preload [N] = 2);
         friction f_wire: on(wire) = lugre(static = 0.1, kinetic = 0.1, transition [m/s] = 0.1, stiffness [1/m] = 50, damping [s/m] = 0);
         start { rail.travel [m] = 0; pin.angle [deg] = -70; rail.speed [m/s] = 0.5; pin.rate [rad/s] = -1; }
-        options { emit = (tangent); }
+        options { friction_passes = 5; emit = (tangent); }
         output pressed [N] = f_wire.normal;
         output resisting [N] = f_rail.force;
         output gone [W] = -power(f_rail) - power(f_pin) - power(f_wire);
@@ -39,15 +39,15 @@ linkwright::mechanism! {
         joint cross: universal(rod_.b, slider.origin, axis = (0, 1, 0), second_axis = (0, 0, 1));
         joint sleeve: cylindrical(ground(0.5, 0.05, 0) [m], slider.origin, axis = (1, 0.1, 0));
         torque drive: torque(main) = torque;
-        friction f_main: on(main) = lugre(static = 0.2, kinetic = 0.15, transition [rad/s] = 1, stiffness [1/rad] = 3, damping [s/rad] = 0.01,
+        friction f_main: on(main) = lugre(static = 0.2, kinetic = 0.15, transition [rad/s] = 1, stiffness [1/rad] = 3, damping [s/rad] = 0.001,
             radius [mm] = 10, shoulder [mm] = 14, length [mm] = 40);
         friction f_ball: on(ball) = asperity(coefficient = 0.1, stiffness [1/rad] = 1, speed [rad/s] = 0.3, radius [mm] = 8);
-        friction f_cross: on(cross) = lugre(static = 0.15, kinetic = 0.1, transition [rad/s] = 1, stiffness [1/rad] = 2, damping [s/rad] = 0.01,
+        friction f_cross: on(cross) = lugre(static = 0.15, kinetic = 0.1, transition [rad/s] = 1, stiffness [1/rad] = 2, damping [s/rad] = 0.001,
             radius [mm] = 6);
-        friction f_sleeve: on(sleeve) = lugre(static = 0.2, kinetic = 0.15, transition [m/s] = 0.2, stiffness [1/m] = 20, damping [s/m] = 0.02,
+        friction f_sleeve: on(sleeve) = lugre(static = 0.2, kinetic = 0.15, transition [m/s] = 0.2, stiffness [1/m] = 20, damping [s/m] = 0.001,
             radius [mm] = 12, length [mm] = 60, viscous [N*s/m] = 0.2);
         start { main.angle [deg] = 40; main.rate [rad/s] = 3; sleeve.travel [m] ~ 0; sleeve.angle [rad] ~ 0; rod_.orientation ~ (1, 0, 0, 0); }
-        options { friction_passes = 4; }
+        options { friction_passes = 5; }
         output pressed [N] = f_sleeve.normal;
         output lost [W] = -power(f_main) - power(f_ball) - power(f_cross) - power(f_sleeve);
     }
