@@ -2,6 +2,7 @@
 //! bodies that touch each other alone keep their momentum.
 
 use crate::registry::{Model, Random, for_each};
+use crate::walking::walk;
 use linkwright::{AssembleExt, Fields, Mechanism, Rk4, Simulation, Vector};
 use linkwright_compiler::model::Coordinates;
 use linkwright_compiler::schedule::{Function, Inputs, run};
