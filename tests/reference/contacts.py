@@ -11,7 +11,8 @@ import casadi as ca
 import expressions
 from expressions import entry, evaluate
 
-FEET = 7  # passes of Newton's method for the foot on a profile
+FEET = 8  # passes of Newton's method for the foot on a profile
+FINE = 2.0**40  # parts of a radian and of a metre
 TINY = 1e-24  # m²: below it a distance is none
 ROUND = ("point", "circle", "sphere")
 FLAT = ("half_plane", "plane")
@@ -101,7 +102,8 @@ class Contacts:
         found = []
         for point, normal in self.spots(name):
             here, there = (self._material(place, point) for place in places)
-            found.append((order * (here - there), normal))
+            # Both turn round with the order.
+            found.append((order * (here - there), order * normal))
         return found
 
     def _material(self, place, point):
@@ -356,20 +358,29 @@ class Contacts:
         return ca.if_else(inside > 0, outside, inside)
 
     def _profile(self, center, surface):
-        """How far out of the curve: |p − c(φ)| is least at the foot, which Newton's method finds by derivatives of |p − c(φ)|²."""
+        """How far out of the curve. |p − c(φ)| is least at the foot φ, which Newton's method finds by derivatives of |p − c(φ)|². There it is
+        taken as given: with n and t of the curve there and its curvature κ the distance is d = n·(p − c) + κ/(1 + κ d) (t·(p − c))²/2 and what
+        is of third order in p − p₀, so that its first two derivatives are those of the distance."""
         place = self._place(surface)
         at = ca.mtimes(self._axes(place).T, center - self.kinematics.position(place))
         table = self.model.tables[surface["radius"]["value"]["name"]]
         angle, point, base = ca.SX.sym("angle"), ca.SX.sym("point", 2), ca.SX.sym("base")
         curve = (base + table(angle)) * ca.vertcat(ca.cos(angle), ca.sin(angle))
         slope = ca.gradient(ca.sumsqr(point - curve) / 2, angle)
-        tangent = ca.jacobian(curve, angle)
-        step, out = slope / ca.jacobian(slope, angle), ca.vertcat(tangent[1], -tangent[0]) / length(tangent)
-        given = [at, self._size(surface, "base", ca.SX(0))]
+        step, along = slope / ca.jacobian(slope, angle), ca.jacobian(curve, angle)
+        bent = ca.jacobian(along, angle)
+        size, base_given = length(along), self._size(surface, "base", ca.SX(0))
         foot = ca.atan2(at[1], at[0])
         for _ in range(FEET):
-            foot = foot - ca.substitute(step, ca.vertcat(angle, point, base), ca.vertcat(foot, *given))
-        return ca.substitute(ca.dot(out, point - curve), ca.vertcat(angle, point, base), ca.vertcat(foot, *given))
+            foot = foot - ca.substitute(step, ca.vertcat(angle, point, base), ca.vertcat(foot, at, base_given))
+            # Passes make errors smaller, and not larger as their operations would have it.
+            foot = ca.floor(foot * FINE) / FINE
+        known = [curve, along / size, (along[0] * bent[1] - along[1] * bent[0]) / size**3]
+        curve, t, curvature = ca.substitute(known, [angle, base], [foot, base_given])
+        n = ca.vertcat(t[1], -t[0])
+        out = ca.dot(n, at - curve)
+        held = ca.floor(out * FINE) / FINE
+        return out + curvature / (1 + curvature * held) * ca.dot(t, at - curve) ** 2 / 2
 
     def _about(self, center, radius, surface):
         axis, own, whole = self._axis(surface), self._size(surface, "radius"), self._size(surface, "length")
