@@ -7,6 +7,9 @@ fn near(found: f64, expected: f64, within: f64) {
     assert!((found - expected).abs() <= within, "{found:?} is not {expected:?}");
 }
 
+/// Mass, place, and where each mode moves it.
+type Mass = (f64, [f64; 3], [[f64; 3]; 2]);
+
 /// Four points of different mass, moved by two modes, of which the second turns them, too.
 fn some() -> Reduced {
     let points = [
@@ -15,12 +18,8 @@ fn some() -> Reduced {
         (0.1, [0.9, -0.2, 0.0], [[-0.3, 1.1, 0.0], [0.0, 0.4, 1.0]]),
         (0.7, [0.2, 0.3, -0.4], [[0.5, 0.1, 0.4], [0.3, -0.2, 0.1]]),
     ];
-    let f = |point: &(f64, [f64; 3], [[f64; 3]; 2])| -> Vec<f64> {
-        point.1.iter().chain(point.2.iter().flatten()).copied().collect()
-    };
-    let sum = |of: &dyn Fn(&(f64, [f64; 3], [[f64; 3]; 2])) -> f64| -> f64 {
-        points.iter().map(|point| point.0 * of(point)).sum()
-    };
+    let f = |point: &Mass| -> Vec<f64> { point.1.iter().chain(point.2.iter().flatten()).copied().collect() };
+    let sum = |of: &dyn Fn(&Mass) -> f64| -> f64 { points.iter().map(|point| point.0 * of(point)).sum() };
     let moments: Square = (0..9).map(|i| (0..9).map(|k| sum(&|p| f(p)[i] * f(p)[k])).collect()).collect();
     let first: Vec<f64> = (0..9).map(|i| sum(&|p| f(p)[i])).collect();
     let trace = moments[0][0] + moments[1][1] + moments[2][2];
@@ -92,15 +91,15 @@ fn damping_is_that_of_natural_modes() {
     };
     let damping = of.critical_damping();
     for j in 0..2 {
-        for k in 0..2 {
+        for (k, square) in squares.iter().enumerate() {
             let product = |matrix: &Square| -> f64 {
                 let pairs = (0..2).flat_map(|a| (0..2).map(move |b| (a, b)));
                 pairs.map(|(a, b)| shape(j)[a] * matrix[a][b] * shape(k)[b]).sum()
             };
             let same = f64::from(u8::from(j == k));
             near(product(&of.generalised_mass), same, 1e-14);
-            near(product(&of.stiffness), same * squares[k], 1e-11);
-            near(product(&damping), same * 2.0 * squares[k].sqrt(), 1e-12);
+            near(product(&of.stiffness), same * square, 1e-11);
+            near(product(&damping), same * 2.0 * square.sqrt(), 1e-12);
         }
     }
 }
