@@ -32,7 +32,7 @@ pub fn walk<M: Model>(seed: u64, count: usize) -> (Compiled, Vec<f64>, M, Vec<At
         }
         let Ok(v) = project_velocity(&model, time, &q, &velocity::<M>(&mut random)) else { continue };
         let u = fields(&random.vector(compiled.mechanism.inputs.len()));
-        let z = vector(&random.vector(compiled.mechanism.states.len()));
+        let z = vector(&random.internal(&compiled));
         let gates = vector(&gates(&compiled.mechanism, || random.unit()));
         states.push(At { time, q, v, z, gates, u });
     }

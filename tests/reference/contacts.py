@@ -11,8 +11,8 @@ import casadi as ca
 import expressions
 from expressions import entry, evaluate
 
-FEET = 8  # passes of Newton's method for the foot on a profile
-FINE = 2.0**40  # parts of a radian and of a metre
+REFINED = 3  # passes of Newton's method for the foot on a profile
+FINE = 2.0**50
 TINY = 1e-24  # m²: below it a distance is none
 ROUND = ("point", "circle", "sphere")
 FLAT = ("half_plane", "plane")
@@ -358,29 +358,28 @@ class Contacts:
         return ca.if_else(inside > 0, outside, inside)
 
     def _profile(self, center, surface):
-        """How far out of the curve. |p − c(φ)| is least at the foot φ, which Newton's method finds by derivatives of |p − c(φ)|². There it is
-        taken as given: with n and t of the curve there and its curvature κ the distance is d = n·(p − c) + κ/(1 + κ d) (t·(p − c))²/2 and what
-        is of third order in p − p₀, so that its first two derivatives are those of the distance."""
+        """How far out of the curve. |p − c(φ)| is least at the foot φ, which Newton's method finds by derivatives of |p − c(φ)|², the second
+        kept from zero. There it is taken as given: with n and t of the curve there and its curvature κ the distance is d = n·(p − c) +
+        κ/(1 + κ d) (t·(p − p₀))²/2 and what is of third order in p − p₀, so that its first two derivatives are those of the distance."""
         place = self._place(surface)
         at = ca.mtimes(self._axes(place).T, center - self.kinematics.position(place))
         table = self.model.tables[surface["radius"]["value"]["name"]]
         angle, point, base = ca.SX.sym("angle"), ca.SX.sym("point", 2), ca.SX.sym("base")
         curve = (base + table(angle)) * ca.vertcat(ca.cos(angle), ca.sin(angle))
         slope = ca.gradient(ca.sumsqr(point - curve) / 2, angle)
-        step, along = slope / ca.jacobian(slope, angle), ca.jacobian(curve, angle)
-        bent = ca.jacobian(along, angle)
-        size, base_given = length(along), self._size(surface, "base", ca.SX(0))
+        along = ca.jacobian(curve, angle)
+        steep, least = ca.jacobian(slope, angle), ca.sumsqr(along) / 4
+        step, bent = slope / ca.if_else(steep > least, steep, least), ca.jacobian(along, angle)
+        size, own = length(along), self._size(surface, "base", ca.SX(0))
         foot = ca.atan2(at[1], at[0])
-        for _ in range(FEET):
-            foot = foot - ca.substitute(step, ca.vertcat(angle, point, base), ca.vertcat(foot, at, base_given))
+        for _ in range(int(float(self._size(surface, "refine", REFINED)))):
             # Passes make errors smaller, and not larger as their operations would have it.
-            foot = ca.floor(foot * FINE) / FINE
+            foot = given(foot - ca.substitute(step, ca.vertcat(angle, point, base), ca.vertcat(foot, at, own)))
+        foot = given(foot)
         known = [curve, along / size, (along[0] * bent[1] - along[1] * bent[0]) / size**3]
-        curve, t, curvature = ca.substitute(known, [angle, base], [foot, base_given])
-        n = ca.vertcat(t[1], -t[0])
-        out = ca.dot(n, at - curve)
-        held = ca.floor(out * FINE) / FINE
-        return out + curvature / (1 + curvature * held) * ca.dot(t, at - curve) ** 2 / 2
+        curve, t, curvature = (given(part) for part in ca.substitute(known, [angle, base], [foot, own]))
+        out, aside = ca.dot(ca.vertcat(t[1], -t[0]), at - curve), ca.dot(t, at - curve)
+        return out + given(curvature / (1 + curvature * given(out))) * (aside - given(aside)) ** 2 / 2
 
     def _about(self, center, radius, surface):
         axis, own, whole = self._axis(surface), self._size(surface, "radius"), self._size(surface, "length")
@@ -402,6 +401,11 @@ class Contacts:
 def length(vector):
     square = ca.dot(vector, vector)
     return ca.sqrt(ca.if_else(square > TINY, square, TINY))
+
+
+def given(x):
+    """Of what is taken as given: it has no derivatives and is as exact as it is."""
+    return ca.floor(x * FINE) / FINE
 
 
 def nearest(point, start, end):

@@ -5,6 +5,7 @@ use crate::registry::gates;
 use linkwright_compiler::Compiled;
 use linkwright_compiler::check::assemble::retract;
 use linkwright_compiler::equations::Linear;
+use linkwright_compiler::model::{InternalState, Rate};
 use linkwright_compiler::schedule::{Function, Inputs, run};
 use linkwright_compiler::solve::table::{Numeric, Table};
 use std::f64::consts::PI;
@@ -44,7 +45,13 @@ impl<'a> Walker<'a> {
         }
         inputs.time = random.between(0.0, 1.0);
         inputs.inputs = random.vector(compiled.mechanism.inputs.len(), 10.0);
-        inputs.internal = random.vector(compiled.mechanism.states.len(), 1.0);
+        let states = compiled.mechanism.states.iter();
+        // Those of loads are of the size that their laws allow.
+        let size = |state: &InternalState| match state.rate {
+            Rate::OfLoad(..) => state.scale.unwrap_or(1.0),
+            Rate::Written(..) => 1.0,
+        };
+        inputs.internal = states.map(|state| size(state) * random.between(-1.0, 1.0)).collect();
         inputs.gates = gates(&compiled.mechanism, || random.between(-1.0, 1.0));
         inputs
     }

@@ -238,10 +238,15 @@ impl Random {
         parameters.collect()
     }
 
+    /// Internal states, of the size that their authors say.
+    pub fn internal(&mut self, compiled: &Compiled) -> Vec<f64> {
+        let states = compiled.mechanism.states.iter();
+        states.map(|state| state.scale.unwrap_or(1.0) * self.unit()).collect()
+    }
+
     /// Values of everything that a program can ask for, except the prepared constants.
     pub fn point(&mut self, compiled: &Compiled) -> Inputs {
         let (layout, e) = (layout(compiled), &compiled.complete.equations);
-        let states = compiled.mechanism.states.iter();
         Inputs {
             parameters: self.parameters(compiled),
             phases: compiled.assembly.phases.clone(),
@@ -249,8 +254,7 @@ impl Random {
             q: self.position(&layout),
             v: self.vector(layout.velocities()),
             inputs: self.vector(e.symbols.inputs.len()),
-            // Of the size that their authors say.
-            internal: states.map(|state| state.scale.unwrap_or(1.0) * self.unit()).collect(),
+            internal: self.internal(compiled),
             gates: gates(&compiled.mechanism, || self.unit()),
             two_alpha: 10.0 + self.unit(),
             beta_squared: 25.0 + self.unit(),
