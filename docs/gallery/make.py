@@ -31,7 +31,7 @@ SETTINGS = {
     "held_block": "--for 1s --step 100us --input pull=min(t/0.5,1)*8",
     "stick_slip": "--for 30s --step 100us --speed 3",
     "lugre_block": "--for 4s --step 100us --input push=4*t",
-    "geared_shafts": "--for 0.4s --step 100us --input drive=2-4*(t>0.1)+2.5*(t>0.2) --speed 0.1",
+    "geared_shafts": "--for 0.4s --step 100us --input drive=2*cos(20*t) --speed 0.1",
     "cam_lift_off": "--for 100ms --step 20us --speed 0.04",
     "cam_follower": "--for 1.5s --speed 0.5",
     "gear_pair": "--for 60ms --step 2us --speed 0.02",
