@@ -74,8 +74,9 @@ fn reduced_equations_move_the_whole<M: Model>() {
         let rest =
             Reduced::at(&model, at.time, &still, &none).unwrap_or_else(|error| panic!("{name}: {error}"));
         assert_close(&format!("{name}: gravity"), reduced.gravity(), rest.gravity(), 1e-12);
-        // No driver and no place that moves with time.
-        if f > 0 && rest.velocity(&[]).max_abs() == 0.0 && rest.acceleration(&[]).max_abs() == 0.0 {
+        // No driver, no place that moves with time, and no bent bristles, which hold at rest.
+        let holds = model.rubs() && model.internal_count() > 0;
+        if f > 0 && !holds && rest.velocity(&[]).max_abs() == 0.0 && rest.acceleration(&[]).max_abs() == 0.0 {
             assert_close(&format!("{name}: bias at rest"), rest.bias(), rest.gravity(), 1e-9);
             // ½ ṡᵀ M_r ṡ is the energy of N ṡ.
             let motion = reduced.motion(0);
