@@ -18,6 +18,7 @@ const TOLERANCE: f64 = 1e-8;
 const REFUSED: &[(&str, &str)] = &[
     ("ball_between_walls", RIGID),
     ("block", MODAL),
+    ("cam_lift_off", RIGID),
     ("cantilever", MODAL),
     ("dropping", RIGID),
     ("floated", "a mesh on axes that move"),
