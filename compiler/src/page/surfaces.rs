@@ -106,7 +106,7 @@ impl Stand<'_> {
             }
             Shape::Profile { place, curve, base } => {
                 let base = self.size(base);
-                let corners: Vec<(f64, f64)> = curve.around(base).step_by(4).collect();
+                let corners: Vec<(f64, f64)> = curve.around(base).step_by(8).collect();
                 let corner = |(angle, radius): &(f64, f64)| {
                     let way = [radius * libm::cos(*angle), radius * libm::sin(*angle), 0.0];
                     sum(at, self.direction(place, &way.map(Expr::Number)))

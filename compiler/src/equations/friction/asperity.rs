@@ -9,6 +9,7 @@
 //! 24 and 25: an approximate Coulomb element beside a spring to a moving anchor, together at most μ N); Dupont, Hayward, Armstrong, Altpeter,
 //! IEEE Transactions on Automatic Control 47 (2002) 787 for the smooth way.
 
+use super::bearing::{LENGTH, PRELOAD, RADIUS, SHOULDER};
 use super::bristles::{self, STIFFNESS, length};
 use super::coulomb::SPEED;
 use super::{effort, terms};
@@ -29,10 +30,10 @@ pub static LOAD: LoadKind = LoadKind {
                 Argument::of("coefficient", Need::Always, Value::Law(Dimension::ONE)).restoring(),
                 Argument::of("stiffness", Need::Always, STIFFNESS).positive(),
                 Argument::of("speed", Need::Always, SPEED).positive(),
-                Argument::scalar("radius", Need::Never, Dimension::LENGTH).not_negative(),
-                Argument::scalar("length", Need::Never, Dimension::LENGTH).not_negative(),
-                Argument::scalar("shoulder", Need::Never, Dimension::LENGTH).not_negative(),
-                Argument::scalar("preload", Need::Never, Dimension::FORCE).not_negative(),
+                RADIUS,
+                LENGTH,
+                SHOULDER,
+                PRELOAD,
             ],
         },
         instead: None,

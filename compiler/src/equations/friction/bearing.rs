@@ -17,9 +17,18 @@
 use super::{Slip, pressed};
 use crate::equations::jet::Moving;
 use crate::equations::laws::Laws;
-use crate::forms::Bearing;
+use crate::forms::{Argument, Bearing, Need};
 use crate::model::{Frame, Joint, JointId, Load, Place, Rotor, Space};
 use crate::symbolic::Scalar;
+use crate::units::Dimension;
+
+/// What a law of friction is told of the joint that it acts in: r, l, r_a, and what presses beside its reaction.
+pub(super) const RADIUS: Argument = Argument::scalar("radius", Need::Never, Dimension::LENGTH).not_negative();
+pub(super) const LENGTH: Argument = Argument::scalar("length", Need::Never, Dimension::LENGTH).not_negative();
+pub(super) const SHOULDER: Argument =
+    Argument::scalar("shoulder", Need::Never, Dimension::LENGTH).not_negative();
+pub(super) const PRELOAD: Argument =
+    Argument::scalar("preload", Need::Never, Dimension::FORCE).not_negative();
 
 /// The components of each of the forces whose sizes together are N.
 pub type Pressing<'g> = Vec<Vec<Scalar<'g>>>;

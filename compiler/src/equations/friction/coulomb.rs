@@ -1,6 +1,7 @@
 //! Coulomb's friction, made smooth: μ N v/√(v·v + v_s²), García de Jalón & Bayo, *Kinematic and Dynamic Simulation of Multibody Systems*,
 //! 10.1. Where it would stick it creeps, on a slope of angle α with v_s t/√(1 − t²), t = tan α/μ.
 
+use super::bearing::{LENGTH, PRELOAD, RADIUS, SHOULDER};
 use super::{direction, effort, terms};
 use crate::equations::laws::Laws;
 use crate::equations::loads::{LoadKind, no_rotors};
@@ -18,10 +19,10 @@ pub static LOAD: LoadKind = LoadKind {
             named: &[
                 Argument::of("coefficient", Need::Never, Value::Law(Dimension::ONE)).restoring(),
                 Argument::of("speed", Need::Always, SPEED).positive(),
-                Argument::scalar("radius", Need::Never, Dimension::LENGTH).not_negative(),
-                Argument::scalar("length", Need::Never, Dimension::LENGTH).not_negative(),
-                Argument::scalar("shoulder", Need::Never, Dimension::LENGTH).not_negative(),
-                Argument::scalar("preload", Need::Never, Dimension::FORCE).not_negative(),
+                RADIUS,
+                LENGTH,
+                SHOULDER,
+                PRELOAD,
                 Argument::scalar("force", Need::Never, Dimension::FORCE).restoring(),
                 Argument::scalar("torque", Need::Never, Dimension::TORQUE).restoring(),
             ],

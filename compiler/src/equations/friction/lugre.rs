@@ -6,6 +6,7 @@
 //! σ₀ in 1/m and σ₁ in s/m, about a pin by rad. Canudas de Wit, Olsson, Åström, Lischinsky, IEEE Transactions on Automatic Control 40
 //! (1995) 419, with F/N in place of F: surfaces that are pressed harder have stiffer bristles.
 
+use super::bearing::{LENGTH, PRELOAD, RADIUS, SHOULDER};
 use super::bristles::{self, DAMPING, STIFFNESS, length};
 use super::coulomb::SPEED;
 use super::stribeck::{VISCOUS, coefficient};
@@ -30,10 +31,10 @@ pub static LOAD: LoadKind = LoadKind {
                 Argument::of("stiffness", Need::Always, STIFFNESS).positive(),
                 Argument::of("damping", Need::Always, DAMPING).restoring(),
                 Argument::of("viscous", Need::Never, VISCOUS).restoring(),
-                Argument::scalar("radius", Need::Never, Dimension::LENGTH).not_negative(),
-                Argument::scalar("length", Need::Never, Dimension::LENGTH).not_negative(),
-                Argument::scalar("shoulder", Need::Never, Dimension::LENGTH).not_negative(),
-                Argument::scalar("preload", Need::Never, Dimension::FORCE).not_negative(),
+                RADIUS,
+                LENGTH,
+                SHOULDER,
+                PRELOAD,
             ],
         },
         instead: None,

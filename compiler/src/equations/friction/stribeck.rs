@@ -1,6 +1,7 @@
 //! Friction that is less where surfaces slide faster, by Stribeck's curve: N (μ_k + (μ_s − μ_k) e^{−v·v/v_t²}) v/√(v·v + v_s²) + c v, c in
 //! N s/m or N m s. Armstrong-Hélouvry, Dupont, Canudas de Wit, Automatica 30 (1994) 1083.
 
+use super::bearing::{LENGTH, PRELOAD, RADIUS, SHOULDER};
 use super::coulomb::SPEED;
 use super::{direction, effort, terms};
 use crate::equations::laws::Laws;
@@ -22,10 +23,10 @@ pub static LOAD: LoadKind = LoadKind {
                 Argument::of("transition", Need::Always, SPEED).positive(),
                 Argument::of("speed", Need::Always, SPEED).positive(),
                 Argument::of("viscous", Need::Never, VISCOUS).restoring(),
-                Argument::scalar("radius", Need::Never, Dimension::LENGTH).not_negative(),
-                Argument::scalar("length", Need::Never, Dimension::LENGTH).not_negative(),
-                Argument::scalar("shoulder", Need::Never, Dimension::LENGTH).not_negative(),
-                Argument::scalar("preload", Need::Never, Dimension::FORCE).not_negative(),
+                RADIUS,
+                LENGTH,
+                SHOULDER,
+                PRELOAD,
             ],
         },
         instead: None,

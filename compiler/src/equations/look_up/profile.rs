@@ -4,7 +4,7 @@
 //! (p − c(φ))·c′(φ) = 0,    d = n·(p − c(φ)),    n = (r e_r − r′ e_φ)/√(r² + r′²)
 //! ∂d/∂p = n,    ∂²d/∂p² = κ/(1 + κ d) t tᵀ,    κ = (r² + 2 r′² − r r″)/(r² + r′²)^1.5
 //! ```
-//! b + r written r. The foot φ is found by Newton's method from the angle of p, in passes that are written out: d is least there, so that
+//! b + r written r (Gilbarg, Trudinger, *Elliptic Partial Differential Equations of Second Order*, 14.6). The foot φ is found by Newton's method from the angle of p, in passes that are written out: d is least there, so that
 //! what is left of φ enters it squared. Where the curve is hollow and p so far out that another foot is nearer, its slope is kept from zero.
 
 use crate::model::{Curve, LookUp};

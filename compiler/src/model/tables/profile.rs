@@ -10,11 +10,7 @@ const LOOKS: u32 = 720;
 impl Curve {
     /// b + r, r′ and r″ at an angle.
     fn polar(&self, base: f64, angle: f64) -> [f64; 3] {
-        let (Curve::Profile { pieces, period: [start, length], .. }
-        | Curve::Line { pieces, period: Some([start, length]) }) = self
-        else {
-            return [f64::NAN; 3];
-        };
+        let Curve::Profile { pieces, period: [start, length], .. } = self else { return [f64::NAN; 3] };
         let x = angle - length * libm::floor((angle - start) / length);
         let of = |order: u8| pieces.piece(Orders::new(order, 0).first(), pieces.cell(x), x);
         [base + of(0), of(1), of(2)]
