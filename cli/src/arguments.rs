@@ -1,5 +1,6 @@
 //! What is asked for on the command line.
 
+use crate::flexible::{self, Import};
 use crate::study::options::{self, Study};
 use linkwright_compiler::export::Scalar;
 use linkwright_compiler::model::Coordinates;
@@ -21,6 +22,7 @@ usage: linkwright run     [options] FILE    moves it and writes what is measured
        linkwright explain [options] FILE    what the compiler found: parts, freedoms, coordinates, start
        linkwright counts  [options] FILE    operations of every generated function
        linkwright export c [options] FILE…  every definition as a source file and a header in C99
+       linkwright flexible import …         modes of a finite element model as a file; `linkwright flexible --help`
 
 FILE is a definition (.mech), a Rust file (.rs), in which every `mechanism! { … }` and `mechanism!(file = \"…\")` is
 taken, or `-` for standard input, which may be either.
@@ -80,6 +82,7 @@ pub struct Job {
 pub enum Asked {
     Job(Job),
     Study(Box<Study>),
+    Import(Import),
     /// The help of a command.
     Text(&'static str),
     Help,
@@ -93,6 +96,10 @@ pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Asked, Str
     if let Some(study) = study_named(arguments.first()) {
         let parsed = options::parse(study, arguments.into_iter().skip(1))?;
         return Ok(parsed.map_or_else(Asked::Text, |study| Asked::Study(Box::new(study))));
+    }
+    if arguments.first().is_some_and(|word| word == FLEXIBLE) {
+        let parsed = flexible::parse(arguments.into_iter().skip(1))?;
+        return Ok(parsed.map_or(Asked::Text(flexible::HELP), Asked::Import));
     }
     let mut parser = lexopt::Parser::from_args(arguments);
     let (mut command, mut files, mut coordinates, mut json) = (None, Vec::new(), None, false);
@@ -154,19 +161,21 @@ fn named(word: &str) -> Result<Command, String> {
     if let Some(found) = Command::ALL.into_iter().find(|command| command.text() == word) {
         return Ok(found);
     }
-    if study_named(Some(&word.into())).is_some() {
+    if word == FLEXIBLE || study_named(Some(&word.into())).is_some() {
         return Err(format!(
             "`{word}` has options of its own: write it first, `linkwright {word} [options] FILE`"
         ));
     }
     let studies = options::Command::ALL.into_iter().map(options::Command::text);
-    let near = closest(word, Command::ALL.into_iter().map(Command::text).chain(studies));
+    let near = closest(word, Command::ALL.into_iter().map(Command::text).chain(studies).chain([FLEXIBLE]));
     let meant = near.map_or(String::new(), |near| format!("; did you mean `{near}`?"));
     Err(format!("no command is called \"{word}\"{meant}: there are {ALL}"))
 }
 
 /// All commands.
-const ALL: &str = "run, plot, animate, sweep, influence, draw, watch, check, explain, counts and export";
+const ALL: &str =
+    "run, plot, animate, sweep, influence, draw, watch, check, explain, counts, export and flexible";
+const FLEXIBLE: &str = "flexible";
 
 fn is_language(word: &str) -> Result<(), String> {
     match word {

@@ -1,8 +1,9 @@
 //! The command line of Linkwright: `run` and `draw`, `check`, `explain`, `counts` and `export` for definitions in files and in Rust
-//! sources. A shell around `linkwright-compiler`, whose messages it draws, and `linkwright-engine`.
+//! sources, and `flexible` for the modes that they name. A shell around `linkwright-compiler`, whose messages it draws, and `linkwright-engine`.
 
 mod arguments;
 mod explain;
+mod flexible;
 mod input;
 mod json;
 mod motion;
@@ -26,6 +27,7 @@ fn main() -> ExitCode {
         Ok(Asked::Version) => answer(concat!("linkwright ", env!("CARGO_PKG_VERSION"), "\n")),
         Ok(Asked::Text(text)) => answer(text),
         Ok(Asked::Job(job)) => run::run(&job),
+        Ok(Asked::Import(asked)) => flexible::import(&asked),
         Ok(Asked::Study(study)) => study::study(&study),
         Err(error) => {
             eprintln!("error: {error}\nSee `linkwright --help`.");

@@ -73,7 +73,7 @@ fn wrong_usage_is_said() {
     for (arguments, message) in [
         (
             &[] as &[&str],
-            "no command is given: there are run, plot, animate, sweep, influence, draw, watch, check, explain, counts and export",
+            "no command is given: there are run, plot, animate, sweep, influence, draw, watch, check, explain, counts, export and flexible",
         ),
         (&["export", "good.mech"], "nothing is exported to \"good.mech\": there is c"),
         (&["export"], "export needs a language: write `linkwright export c FILE`"),
