@@ -7,7 +7,7 @@ use linkwright_compiler::beams::RK4;
 use linkwright_compiler::check::motion::Reflected;
 use linkwright_compiler::counts::Row;
 use linkwright_compiler::equations::conditions;
-use linkwright_compiler::model::gears::{self, Told};
+use linkwright_compiler::model::gears::{self, Gives, Told};
 use linkwright_compiler::model::{
     ConstraintKind, Coordinate, Coordinates, Frame, JointId, Load, LoadId, Mechanism, Redundant, Table,
 };
@@ -81,6 +81,8 @@ pub struct Explanation {
     pub couplings: Vec<[String; 2]>,
     /// Pairs of toothings that mesh.
     pub teeth: Vec<Told>,
+    /// Loads between teeth.
+    pub gives: Vec<Gives>,
     /// Meshes whose stiffness follows from the shape of their teeth.
     pub meshes: Vec<MeshOf>,
     pub loads: Vec<[String; 2]>,
@@ -186,6 +188,7 @@ pub fn explain(definition: &Definition, compiled: &Compiled) -> Explanation {
         joints: joints(compiled),
         couplings: couplings(mechanism),
         teeth: mechanism.pairs.iter().map(|pair| Told::of(mechanism, pair)).collect(),
+        gives: Gives::all(mechanism),
         meshes: meshes(mechanism),
         loads: loads(mechanism),
         contacts: contacts(compiled),

@@ -7,7 +7,7 @@ use linkwright_compiler::Repetition;
 use linkwright_compiler::check::motion::Reflected;
 use linkwright_compiler::counts::Row;
 use linkwright_compiler::diagnostics::Severity;
-use linkwright_compiler::model::gears::Told;
+use linkwright_compiler::model::gears::{Gives, Told};
 use linkwright_compiler::source::{Located, Source};
 use serde_json::{Map, Value, json};
 use std::ops::Range;
@@ -140,6 +140,9 @@ pub fn explanation(e: &Explanation) -> Value {
         let mode = |mode: &Mode| json!({ "name": mode.name, "hertz": mode.hertz, "step": mode.step });
         object["modes"] = e.modes.iter().map(mode).collect();
     }
+    if !e.gives.is_empty() {
+        object["teeth_that_give"] = e.gives.iter().map(gives).collect();
+    }
     if !e.meshes.is_empty() {
         object["meshes"] = e.meshes.iter().map(mesh).collect();
     }
@@ -163,6 +166,18 @@ fn repetition(of: &Repetition) -> Value {
 fn reflected(of: &Reflected) -> Value {
     let [inertia, load] = if of.angular { ["inertia_kg_m2", "torque_N_m"] } else { ["mass_kg", "force_N"] };
     json!({ "name": of.of, inertia: of.inertia, load: of.load })
+}
+
+fn gives(of: &Gives) -> Value {
+    let [along, around] = of.backlash;
+    json!({
+        "name": of.name,
+        "mean_stiffness_N_m": of.stiffness,
+        "reduced_mass_kg": of.mass,
+        "frequency_Hz": of.hertz(),
+        "backlash_m": along,
+        "circumferential_backlash_m": around,
+    })
 }
 
 fn mesh(of: &MeshOf) -> Value {

@@ -40,6 +40,7 @@ pub fn explanation(e: &Explanation, place: &str) -> String {
     table(&mut text, "Joints", e.joints.iter().map(|joint| self::joint(e, joint)).collect());
     table(&mut text, "Couplings and drivers", e.couplings.iter().map(|one| one.to_vec()).collect());
     table(&mut text, "Teeth", e.teeth.iter().map(|pair| pair.cells(str::to_string)).collect());
+    table(&mut text, "Teeth that give", e.gives.iter().map(|mesh| mesh.cells(str::to_string)).collect());
     let meshes = e.meshes.iter().map(mesh).collect();
     table(&mut text, "Stiffness by the shape of teeth, N/m over a pitch", meshes);
     table(&mut text, "Loads", e.loads.iter().map(|one| one.to_vec()).collect());

@@ -3,22 +3,23 @@
 use crate::kinematics::{Kinematics, Place};
 use crate::law::{Law, Scratch};
 use crate::quantity::{Pull, Quantity};
-use crate::vector::{V3, cross, minus, norm, plus, times};
+use crate::vector::{V3, cross, minus, norm, plus, times, turned};
 use std::f64::consts::TAU;
 
 /// Two wheels that touch by their teeth.
 #[derive(Clone, Debug)]
 pub(crate) struct Mesh {
-    /// In pitches; with a place of its centre and the radius of its base circle of each wheel.
+    /// In pitches, of which one is so many radians along the line of action; with a place of its centre and the radius of its base circle of each wheel.
+    pub radius: f64,
     pub terms: Vec<(f64, Quantity)>,
     pub centers: [Place; 2],
     pub bases: [f64; 2],
     /// +1 of two wheels, −1 of a wheel in a ring; whether the ring is the second.
     pub sense: f64,
     pub ring_is_second: bool,
-    /// Of the first wheel.
-    pub teeth: f64,
     pub working: f64,
+    /// Of all but cylinders in the plane.
+    pub touch: Option<Touch>,
     /// What the sum of the terms is where the teeth meet, and which of its pitches: the nearest, where none was kept.
     pub constant: f64,
     pub pitches: Option<f64>,
@@ -29,6 +30,17 @@ pub(crate) struct Mesh {
     pub error: Law,
     pub error_rate: Option<Law>,
     pub elastic: bool,
+}
+
+/// Where pitch surfaces touch, in the axes of what holds the wheels: there N along `push` and |N| along `part` act on the second body.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Touch {
+    pub carrier: Option<usize>,
+    /// From the centre of one of both.
+    pub from: usize,
+    pub at: V3,
+    pub push: V3,
+    pub part: V3,
 }
 
 #[derive(Clone, Debug)]
@@ -62,7 +74,7 @@ impl Mesh {
 
     fn deflection(&self, at: &Kinematics, inputs: &[f64], scratch: &mut Scratch) -> f64 {
         let phase = self.constant + TAU * self.pitches.unwrap_or_else(|| self.nearest(at));
-        self.bases[0] / self.teeth * (self.sum(at)[0] - phase) - self.error.value(at, inputs, scratch)
+        self.radius * (self.sum(at)[0] - phase) - self.error.value(at, inputs, scratch)
     }
 
     fn stiffness(&self, at: &Kinematics, inputs: &[f64], scratch: &mut Scratch) -> f64 {
@@ -87,7 +99,7 @@ impl Mesh {
             Some(rate) => rate.value(at, inputs, scratch),
             None => self.error.course(at, scratch).rate,
         };
-        let resisted = self.damping * (self.bases[0] / self.teeth * self.sum(at)[1] - error);
+        let resisted = self.damping * (self.radius * self.sum(at)[1] - error);
         let half = 0.5 * self.backlash;
         if half == 0.0 {
             return k * u + resisted;
@@ -119,6 +131,18 @@ impl Mesh {
     ) {
         let force = self.force(at, inputs, scratch);
         let [first, second] = [0, 1].map(|which| at.point(&self.centers[which]));
+        if let Some(touch) = &self.touch {
+            let axes = &at.frame(touch.carrier).axes;
+            let [near, push, part] = [touch.at, touch.push, touch.part].map(|vector| turned(axes, vector));
+            let there = plus([first.position, second.position][touch.from], near);
+            let pushed = plus(times(force, push), times(force.abs(), part));
+            for (point, side) in [(first, -1.0), (second, 1.0)] {
+                let arm = plus(minus(there, point.position), point.arm);
+                let linear = times(side, pushed);
+                add(Pull::on(point.body, linear, cross(arm, linear)));
+            }
+            return;
+        }
         let between = minus(second.position, first.position);
         let along: V3 = times(1.0 / norm(between), between);
         let across = cross([0.0, 0.0, 1.0], along);

@@ -23,7 +23,6 @@ const REFUSED: &[(&str, &str)] = &[
     ("dropping", RIGID),
     ("floated", "a mesh on axes that move"),
     ("hammer_at_rigid_wall", RIGID),
-    ("helical", "a mesh in space"),
     ("rimless_wheel", RIGID),
     ("slider_crank_on_stop", RIGID),
     ("striking", RIGID),

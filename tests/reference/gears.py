@@ -26,7 +26,7 @@ class Toothing:
     kind: str
     teeth: int  # of a worm its starts, of a rack none
     module: float  # of the normal section, of a worm along its axis
-    angle: float  # likewise
+    angle: float  # of the normal section
     helix: float
     shift: float
     addendum: float
@@ -76,6 +76,9 @@ class Pair:
     axes: np.ndarray | None = None  # in space: J of the first wheel's axle, in the axes of what holds both
     beside: float = 0.0  # in space: from the first centre to the second along the axle
     turns: tuple = ()  # in space: of each wheel, joints with signs about that axle
+    firsts: tuple = ()  # of each wheel: a tooth's middle about that axle
+    carrier: str | None = None  # what holds the centres
+    touch: object = None  # of all but cylinders
     follows: bool = False
 
     @property
@@ -86,6 +89,26 @@ class Pair:
     def scale(self):
         """What the row is divided by."""
         return self.wheels[0].teeth or self.wheels[1].teeth
+
+
+@dataclass
+class Touch:
+    """Where pitch surfaces touch, in the axes of what holds the wheels."""
+
+    points: list  # from each centre, none of a rack
+    axes: list  # of the wheels that turn, likewise
+    along: np.ndarray  # where the first drives, it pushes the second this way; of length one
+    apart: np.ndarray  # from the first to the second, across that and the teeth
+    angle: float  # between the flanks' normal and the first of these
+    radius: float  # a radian of a pitch along the normal, m
+    directions: list  # of each wheel that turns: across its axle to its partner
+
+    def psi(self, model, which):
+        x, y = self.directions[which][:2]
+        if model.kind != "planar":
+            frame = _numbers(model, self.axes[which])
+            x, y = frame[:, 0] @ self.directions[which], frame[:, 1] @ self.directions[which]
+        return float(np.arctan2(y, x))
 
 
 def pairs(model):
@@ -165,21 +188,22 @@ def _pair(model, name, wheels):
                 terms[body] = terms.get(body, 0) + factor
         between = across[:2]
     else:
-        terms, fixed = {}, 0.0
+        terms, fixed, firsts = {}, 0.0, []
         turns = [_turn(model, wheel.body, carrier) for wheel in wheels]
         axis = next(axis for _, axis in turns if axis is not None)
         signed = []
         for (own, about), factor in zip(turns, (first.teeth, sense * second.teeth)):
             side = 1 if about is None else round(float(np.dot(axis, about)))
             signed.append({joint: side * sign for joint, sign in own.items()})
+            firsts.append(_about(model, axis, axis if about is None else about, wheels[len(firsts)].first))
             for joint, sign in own.items():
                 terms[joint] = terms.get(joint, 0) + factor * side * sign
         terms = {joint: factor for joint, factor in terms.items() if factor}
         frame = _numbers(model, axis)
         between = np.array([frame[:, 0] @ across, frame[:, 1] @ across])
-    pair = Pair(name, (first, second), sense, np.array(between), terms)
+    pair = Pair(name, (first, second), sense, np.array(between), terms, carrier=carrier, firsts=(first.first, second.first))
     if model.kind != "planar":
-        pair.axes, pair.turns, pair.beside = frame, tuple(signed), float(frame[:, 2] @ across)
+        pair.axes, pair.turns, pair.beside, pair.firsts = frame, tuple(signed), float(frame[:, 2] @ across), tuple(firsts)
     pair.constant = _wrapped(_facing(pair) - fixed)
     return pair
 
@@ -217,9 +241,20 @@ def _rack(model, name, wheels, which):
             towards = -(way - way @ along3 * along3 - way @ about * about)
             touch = towards / np.linalg.norm(towards) * pinion.pitch
             rolls = np.cross(about, touch) @ along3
+            turns = terms if model.kind != "planar" else {}
             terms = {rotor: factor * pinion.teeth for rotor, factor in terms.items()}
             travels = {joint.name: -(moves3 @ along3) * pinion.teeth / rolls}
-            return Pair(name, wheels, 1, np.array([np.linalg.norm(towards), 0.0]), terms, travels)
+            pair = Pair(name, wheels, 1, np.array([np.linalg.norm(towards), 0.0]), terms, travels, carrier=carrier)
+            pair.turns, pair.firsts = (turns, turns), (pinion.first, pinion.first)
+            # Where the pinion is ahead, by the order of both.
+            order = -1 if which == 0 else 1
+            points, axes = [touch, touch], [np.array(about, float)] * 2
+            points[which] = axes[which] = None
+            surface = np.cross(about, touch)
+            angle = pinion.transverse_angle
+            push, part = order * surface / np.linalg.norm(surface), order * touch / np.linalg.norm(touch)
+            pair.touch = Touch(points, axes, push, part, angle, pinion.base / pinion.teeth, [touch, touch])
+            return pair
     raise ValueError(f"{model.title}: nothing guides the rack of `{name}`")
 
 
@@ -257,13 +292,18 @@ def _crossed(model, name, wheels):
         worm = kinds.index("worm")
         normal = np.cross(axes[0], axes[1])
         normal *= np.sign(normal @ across) / np.linalg.norm(normal)
-        radii = [wheel.diameter / 2 if wheel.kind == "worm" else wheel.pitch for wheel in wheels]
+        # On the pitch circle of the wheel, where threads are as steep as they are so far from their axis.
+        radii = [abs(normal @ across) - wheels[1 - worm].pitch if wheel.kind == "worm" else wheel.pitch for wheel in wheels]
         touch = [radii[0] * normal, -radii[1] * normal]
-        lead = np.arctan(wheels[worm].teeth * wheels[worm].module / wheels[worm].diameter)
+        # In the middle plane of the wheel.
+        touch[worm] = touch[worm] + (1 - 2 * worm) * (across @ axes[worm]) * axes[worm]
+        lead = np.arctan(wheels[worm].teeth * wheels[worm].module / 2 / radii[worm])
         hand = np.sign(wheels[1 - worm].helix)
-        around = np.cross(axes[worm], touch[worm] / radii[worm])
+        around = np.cross(axes[worm], (1 - 2 * worm) * normal)
         thread = np.cos(lead) * around + hand * np.sin(lead) * axes[worm]
-        flank = np.cross(thread, normal)
+        flank, apart = np.cross(thread, normal), normal
+        angle = np.arctan(np.tan(wheels[1 - worm].transverse_angle) * np.cos(lead))
+        directions = [normal, -normal]
     else:
         # The pitch cones touch along a line from where the axes cross.
         cone = np.cross(axes[0], axes[1])
@@ -271,20 +311,36 @@ def _crossed(model, name, wheels):
         out = [-apex / np.linalg.norm(apex), (across - apex) / np.linalg.norm(across - apex)]
         toward = out[1] - out[0] @ out[1] * out[0]
         line = np.cos(wheels[0].cone) * out[0] + np.sin(wheels[0].cone) * toward / np.linalg.norm(toward)
-        point = apex + wheels[0].pitch / np.sin(wheels[0].cone) * line
-        touch, flank = [point, point - across], cone
+        long = wheels[0].pitch / np.sin(wheels[0].cone)
+        middle = 1 - min([wheel.width for wheel in wheels if wheel.width], default=0.0) / 2 / long
+        point = apex + middle * long * line
+        touch, flank = [point, point - across], cone / np.linalg.norm(cone)
+        apart = np.cross(line, flank)
+        apart *= np.sign(apart @ toward)
+        angle, directions = wheels[0].angle, [out[1], out[0]]
     speeds = [np.cross(axis, at) @ flank for axis, at in zip(axes, touch)]
     factors = [wheels[0].teeth, -wheels[0].teeth * speeds[1] / speeds[0]]
     terms = {}
     for (own, _), factor in zip(turns, factors):
         for joint, sign in own.items():
             terms[joint] = terms.get(joint, 0) + factor * sign
-    return Pair(name, tuple(wheels), 1, np.array([np.linalg.norm(across), 0.0]), terms)
+    pair = Pair(name, tuple(wheels), 1, np.array([np.linalg.norm(across), 0.0]), terms, carrier=carrier)
+    pair.turns, pair.firsts = tuple(own for own, _ in turns), tuple(wheel.first for wheel in wheels)
+    radius = np.cos(angle) * abs(speeds[0]) / wheels[0].teeth
+    pair.touch = Touch(touch, axes, np.sign(speeds[0]) * flank, apart, angle, radius, directions)
+    return pair
 
 
 def _numbers(model, axis):
     """J(axis)."""
     return np.array(ca.evalf(model.joint_frame(ca.SX(ca.DM(list(axis))))))
+
+
+def _about(model, axis, own, angle):
+    """The angle about an axis of what has one about its own axle, which is parallel."""
+    frame, other = _numbers(model, own), _numbers(model, axis)
+    middle = np.cos(angle) * frame[:, 0] + np.sin(angle) * frame[:, 1]
+    return float(np.arctan2(other[:, 1] @ middle, other[:, 0] @ middle))
 
 
 def _facing(pair):
@@ -295,8 +351,8 @@ def _facing(pair):
         x, y = -x, -y
     psi = np.arctan2(y, x)
     if pair.sense < 0:
-        return np.pi + (first.teeth - second.teeth) * psi - first.teeth * first.first + second.teeth * second.first
-    return np.pi + first.teeth * (psi - first.first) + second.teeth * (psi + np.pi - second.first)
+        return np.pi + (first.teeth - second.teeth) * psi - first.teeth * pair.firsts[0] + second.teeth * pair.firsts[1]
+    return np.pi + first.teeth * (psi - pair.firsts[0]) + second.teeth * (psi + np.pi - pair.firsts[1])
 
 
 def _wrapped(angle):

@@ -26,6 +26,10 @@ def inv(angle):
 def mesh(load, kinematics):
     if gears.axes_move(load):
         return MovingMesh(load, kinematics)
+    if kinematics.model.pairs[load["name"]].touch is not None:
+        import touching  # whose classes are made of these
+
+        return touching.mesh(load, kinematics)
     return (Mesh if kinematics.model.kind == "planar" else SpatialMesh)(load, kinematics)
 
 
@@ -74,7 +78,7 @@ class Mesh:
         half = (np.pi / 2 + 2 * self.wheel.shift * np.tan(self.wheel.angle)) / self.wheel.teeth
         half += inv(self.wheel.transverse_angle) - inv(self.working)
         start = (self.wheel.base * (np.tan(self.working) + half) - self.path()[0]) / self.pitch
-        carrier, _ = gears._carrier(self.model, self.pair.wheels)
+        carrier = self.pair.carrier
         still = 0.0
         for body, sign in ((self.wheel.body, 1), (carrier, -1)):
             root, angle = gears._orientation(self.model, body)
@@ -87,7 +91,7 @@ class Mesh:
 
     def turn(self):
         """(cos, sin) of the wheel's angle against what holds it."""
-        carrier, _ = gears._carrier(self.model, self.pair.wheels)
+        carrier = self.pair.carrier
         c, s = ca.SX(1), ca.SX(0)
         for body, sign in ((self.wheel.body, 1), (carrier, -1)):
             if gears._orientation(self.model, body)[0] is not None:
@@ -97,7 +101,7 @@ class Mesh:
 
     def phase(self):
         start, sense = self.phase_at_rest()
-        carrier, _ = gears._carrier(self.model, self.pair.wheels)
+        carrier = self.pair.carrier
         total = ca.SX(0)
         for body, sign in ((self.wheel.body, 1), (carrier, -1)):
             if gears._orientation(self.model, body)[0] is not None:
@@ -117,17 +121,14 @@ class Mesh:
         mean, waves = self.series(node["involute"])
         start, sense = self.phase_at_rest()
         c, s = self.turn()
-        power_c, power_s = ca.SX(1), ca.SX(0)
-        step_c, step_s = ca.SX(1), ca.SX(0)
-        for _ in range(self.wheel.teeth):
-            step_c, step_s = step_c * c - step_s * s, step_s * c + step_c * s
+        # By angle and length and not as a product of many pairs, whose magnitude would be beyond all bounds.
+        turned, square = ca.atan2(s, c), c**2 + s**2
         k = ca.SX(mean)
         for h, (a, b) in enumerate(waves, 1):
-            power_c, power_s = power_c * step_c - power_s * step_s, power_s * step_c + power_c * step_s
-            angle = 2 * np.pi * h * start
+            count = self.wheel.teeth * h
             # cos(angle + sense h x) and sin of it.
-            k += a * (np.cos(angle) * power_c - sense * np.sin(angle) * power_s)
-            k += b * (np.sin(angle) * power_c + sense * np.cos(angle) * power_s)
+            angle = 2 * np.pi * h * start + sense * count * turned
+            k += square ** (count / 2) * (a * ca.cos(angle) + b * ca.sin(angle))
         return k
 
     def damping(self):
@@ -144,14 +145,20 @@ class Mesh:
         stiffness = self.load["stiffness"]
         mean = self.series(stiffness["involute"])[0] if "involute" in stiffness else entry(stiffness, self.model)
         inverse = 0.0
-        for wheel in self.pair.wheels:
+        for which, wheel in enumerate(self.pair.wheels):
             root, _ = gears._orientation(self.model, wheel.body)
             if root is not None:
-                bodies = [name for name in self.model.bodies if gears._orientation(self.model, name)[0] == root]
-                inverse += wheel.base**2 / sum(self._about_axle(self.model.bodies[name]) for name in bodies)
+                bodies = self._moves_with(wheel, root)
+                inverse += self._lever(which) ** 2 / sum(self._about_axle(self.model.bodies[name], which) for name in bodies)
         return float(self.model.at_defaults(2 * ratio * ca.sqrt(mean / inverse))[0]), False
 
-    def _about_axle(self, body):
+    def _moves_with(self, wheel, root):
+        return [name for name in self.model.bodies if gears._orientation(self.model, name)[0] == root]
+
+    def _lever(self, which):
+        return self.base[which]
+
+    def _about_axle(self, body, which):
         return float(self.model.at_defaults(body.inertia)[0])
 
     def is_elastic(self):
@@ -194,7 +201,7 @@ class Mesh:
     def efforts(self):
         """Torques −r_b1 N, ∓r_b2 N; on the second centre N cos α across the line of centres and |N| sin α along it."""
         force, pair = self.force(), self.pair
-        carrier, _ = gears._carrier(self.model, pair.wheels)
+        carrier = pair.carrier
         pose = self.kinematics.pose(carrier)
         x, y = pair.between / pair.distance
         along, across = pose.turn(ca.DM([x, y])), pose.turn(ca.DM([-y, x]))
@@ -230,14 +237,11 @@ class Mesh:
         width = min(widths)
         begin, end = self.path()
         ratio = (end - begin) / self.pitch
-        tangent = self.distance * np.sin(self.working)
 
         def one(along):
-            across = tangent + along if self.other.internal else tangent - along
-            if section:
-                return 1 / (_section(self.wheel, along, young, width) + _section(self.other, across, young, width))
-            give = _profile(self.wheel, along, young, poisson, width) + _profile(self.other, across, young, poisson, width)
-            return 1 / (give + 4 * (1 - poisson**2) / (np.pi * young * width))
+            material = (section, young, poisson, width)
+            give = _gives(self.wheel, along, *material) + _gives(self.other, self._across(along), *material)
+            return 1 / (give + (0 if section else 4 * (1 - poisson**2) / (np.pi * young * width)))
 
         curve = np.zeros(POSITIONS)
         for index in range(POSITIONS):
@@ -249,6 +253,11 @@ class Mesh:
         spectrum = np.fft.rfft(curve) / POSITIONS
         waves = [(2 * spectrum[h].real, -2 * spectrum[h].imag) for h in range(1, harmonics + 1)]
         return spectrum[0].real, [self._across_the_face(h, wave, width) for h, wave in enumerate(waves, 1)]
+
+    def _across(self, along):
+        """Where the other wheel is touched, from its base tangent point."""
+        tangent = self.distance * np.sin(self.working)
+        return tangent + along if self.other.internal else tangent - along
 
     def _across_the_face(self, h, wave, width):
         """The mean of a harmonic over slices from one end of slanted teeth to the other, which the phase of the middle is counted for."""
@@ -379,7 +388,7 @@ class MovingMesh(Mesh):
 class SpatialMesh(Mesh):
     """About parallel axes in space: the angles are those of joints."""
 
-    def _about_axle(self, body):
+    def _about_axle(self, body, which):
         axle = self.pair.axes[:, 2]
         return float(axle @ self.model.at_defaults(ca.vec(body.inertia)).reshape(3, 3) @ axle)
 
@@ -392,7 +401,8 @@ class SpatialMesh(Mesh):
         half = (np.pi / 2 + 2 * self.wheel.shift * np.tan(self.wheel.angle)) / self.wheel.teeth
         half += inv(self.wheel.transverse_angle) - inv(self.working)
         start = (self.wheel.base * (np.tan(self.working) + half) - self.path()[0]) / self.pitch
-        return start + sense * self.wheel.teeth * (self.wheel.first - np.arctan2(y, x)) / (2 * np.pi), sense
+        middle = self.pair.firsts[self.pair.wheels.index(self.wheel)]
+        return start + sense * self.wheel.teeth * (middle - np.arctan2(y, x)) / (2 * np.pi), sense
 
     def turn(self):
         # Not brought to length one where bodies are not yet consistent.
@@ -418,7 +428,7 @@ class SpatialMesh(Mesh):
     def efforts(self):
         """One force at the pitch point, and its opposite."""
         force, (first, second) = self.force(), self.pair.wheels
-        carrier, _ = gears._carrier(self.model, self.pair.wheels)
+        carrier = self.pair.carrier
         x, y, axle = (self.kinematics.pose(carrier).turn(ca.DM(self.pair.axes[:, k])) for k in range(3))
         along = (self.pair.between[0] * x + self.pair.between[1] * y) / self.distance
         across = ca.cross(axle, along)
@@ -442,6 +452,33 @@ def _half(toothing, angle):
     own = np.pi / 2 + (-1 if toothing.internal else 1) * 2 * toothing.shift * np.tan(toothing.angle)
     side = -1 if toothing.internal else 1
     return own / toothing.teeth + side * (inv(toothing.transverse_angle) - inv(angle))
+
+
+def _gives(toothing, place, section, young, poisson, width):
+    """The compliance of a tooth, of a rack so far above its line."""
+    if toothing.kind == "rack":
+        return _straight(toothing, place, section, young, poisson, width)
+    return _section(toothing, place, young, width) if section else _profile(toothing, place, young, poisson, width)
+
+
+def _straight(rack, height, section, young, poisson, width):
+    """A trapezium, half a pitch thick at the line, by slices from its root."""
+    foot = -rack.dedendum * rack.module
+
+    def thickness(y):
+        return np.pi * rack.module / 2 - 2 * y * np.tan(rack.angle)
+
+    if section:
+        return (height - foot) ** 3 / (3 * young * (width * thickness(height) ** 3 / 12))
+    plate = young / (1 - poisson**2) if width > 5 * thickness(0) else young
+    shear = young / (2 * (1 + poisson))
+    nodes, weights = np.polynomial.legendre.leggauss(60)
+    y = (height + foot) / 2 + (height - foot) / 2 * nodes
+    # N = (cos α across the tooth, sin α down along it), at half its thickness beside the middle.
+    bent = (height - y) * np.cos(rack.angle) - thickness(height) / 2 * np.sin(rack.angle)
+    area, second = width * thickness(y), width * thickness(y) ** 3 / 12
+    give = bent**2 / (plate * second) + 1.2 * np.cos(rack.angle) ** 2 / (shear * area) + np.sin(rack.angle) ** 2 / (plate * area)
+    return float(weights @ give) * (height - foot) / 2
 
 
 def _section(toothing, along, young, width):

@@ -6,7 +6,7 @@ use crate::forms::Rim;
 use crate::messages;
 use crate::model::Mechanism;
 use crate::model::gears::stiffness::{Body, Tooth};
-use crate::model::gears::{Meeting, Mesh, Pair, Toothing, involute};
+use crate::model::gears::{Meeting, Mesh, Pair, Toothing, involute, spurs};
 
 /// Of the distance that teeth without play have.
 const DISTANCE: f64 = 1e-6;
@@ -247,9 +247,12 @@ pub(super) fn bodies_are_known(mechanism: &Mechanism, wanted: &mut Wanted) {
         if teeth.material.is_none_or(|material| material.tooth != Tooth::Profile) {
             continue;
         }
-        for toothing in mechanism.pairs[teeth.pair].on.map(|id| mechanism.toothing(id)) {
-            let body = Body::of(toothing);
-            if !toothing.is_internal() && !body.is_known() && !told.contains(&toothing.text.as_str()) {
+        let pair = &mechanism.pairs[teeth.pair];
+        let (toothings, _) = mechanism.mesh_of(pair);
+        for (toothing, spur) in toothings.into_iter().zip(spurs(toothings, pair)) {
+            let stands_on_body = !matches!(toothing.form.rim, Rim::Internal | Rim::Rack);
+            let body = Body::of(&spur);
+            if stands_on_body && !body.is_known() && !told.contains(&toothing.text.as_str()) {
                 told.push(&toothing.text);
                 let message = messages::body_beyond(&toothing.text, body.half, body.ratio);
                 wanted.push(Lint::Teeth, toothing.name.span, message);

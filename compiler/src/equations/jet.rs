@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// See the module's documentation.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Jet {
     pub value: Node,
     /// Non-zero entries of J = ∂ḟ/∂v by index of velocity.

@@ -218,9 +218,15 @@ pub(crate) fn moving_axes_in_space(first: &str, second: &str) -> String {
     )
 }
 
-pub(crate) fn mesh_of_cylinders(first: &str, second: &str) -> String {
+pub(crate) fn moving_axes_of_cylinders(first: &str, second: &str) -> String {
     format!(
-        "a mesh that gives is one of wheels and rings: of `{first}` and `{second}` write `gear({first}, {second})`"
+        "axes move between wheels and rings, and of `{first}` and `{second}` one is neither: what holds a rack, a cone or a worm fixes where its teeth press; leave `axes` out"
+    )
+}
+
+pub(crate) fn involute_of_threads(first: &str, second: &str) -> String {
+    format!(
+        "`involute(…)` is the stiffness of involute teeth, and of `{first}` and `{second}` one has threads, which touch along curves: write a number, `stiffness [N/um] = 200`"
     )
 }
 

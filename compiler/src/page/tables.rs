@@ -1,17 +1,19 @@
 //! What a mechanism consists of, as tables: parts, bodies, joints, couplings, drivers, loads, parameters, inputs, outputs,
 //! coordinates and where they start, constraint rows.
 
+use super::stand::{Pose, Stand};
 use super::table::{Table, code};
 use super::text::decimal;
 use crate::compiled::Compiled;
 use crate::equations::conditions;
 use crate::equations::coordinates::rotor_name;
 use crate::forms::Law;
-use crate::model::gears::{Pair, Told};
+use crate::model::gears::{Gives, Pair, Told};
 use crate::model::{
     Body, ConstraintKind, Coupled, Expr, Frame, JointId, Load, LoadId, Mechanism, Name, Rotor, Space,
     Subject, Vector, fold,
 };
+use crate::numbers;
 use std::collections::BTreeSet;
 
 pub fn bodies(page: &mut String, compiled: &Compiled) {
@@ -165,6 +167,14 @@ pub fn teeth_that_mesh(page: &mut String, compiled: &Compiled) {
         table.row(Told::of(mechanism, pair).cells(code));
     }
     table.write(page, "Teeth");
+    let mut table = Table::new(&["mesh", "stiffness", "mass", "frequency", "gap", "phase at the start"]);
+    let phases = Stand::of(compiled, &Pose::start(compiled)).phases();
+    for (gives, phase) in Gives::all(mechanism).iter().zip(phases) {
+        let mut cells = gives.cells(code);
+        cells.push(format!("{} of a pitch", numbers::coordinate(phase, 4)));
+        table.row(cells);
+    }
+    table.write(page, "Teeth that give");
     let mut table =
         Table::new(&["mesh", "stiffness over a pitch, N/m", "left out by the series, rms", "largest step"]);
     for load in &mechanism.loads {

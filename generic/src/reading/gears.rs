@@ -1,11 +1,13 @@
 //! Toothings: which angles a pair couples by numbers of teeth, and with which constant ("Teeth" of NOTATION.md).
 
 use super::joints::Joint;
+use super::touching::beside;
 use super::{Read, Reader};
 use crate::error::DefinitionError;
 use crate::json::{field, list, name, optional, text};
 use crate::kinematics::Place;
 use crate::kinematics::Section;
+use crate::mesh::Touch;
 use crate::quantity::Quantity;
 use crate::vector::*;
 use serde_json::Value;
@@ -32,7 +34,6 @@ pub(super) struct Toothing {
     /// Of a rack the first point of its line.
     pub center: Place,
     pub cone: f64,
-    pub diameter: f64,
     /// The direction of a rack's line.
     pub along: V3,
 }
@@ -52,7 +53,7 @@ impl Toothing {
     }
 
     /// m_t z/2.
-    fn pitch(&self) -> f64 {
+    pub fn pitch(&self) -> f64 {
         0.5 * self.module / self.helix.cos() * self.teeth
     }
 
@@ -82,20 +83,23 @@ pub(super) struct Pair {
     /// The distance of the centres, and the direction from the first to the second, of a ring that to the wheel.
     pub distance: f64,
     pub direction: f64,
-    /// By what the first wheel that is no ring turns against what holds it, and what of it is fixed.
+    /// What holds both.
+    pub carrier: Body,
+    /// By which of the wheels phases are counted: the first that is no ring, rack or worm; by what it turns against what holds it, and what of it is fixed.
+    pub counted: usize,
     pub turns: Vec<(f64, Turning)>,
     pub still: f64,
+    /// The middle of its tooth about its axle, and ±1 as its turn counts in the terms.
+    pub first: f64,
+    pub side: f64,
+    /// A radian of a pitch along the line of action; where pitch surfaces touch of all but cylinders in the plane.
+    pub radius: f64,
+    pub touch: Option<Touch>,
     /// Whether those before it fix it.
     pub follows: bool,
 }
 
 impl Pair {
-    /// Of wheels that are no cylinders, whose teeth do not give.
-    fn of(wheels: [Toothing; 2], terms: Vec<(f64, Turning)>) -> Self {
-        let (turns, still) = (Vec::new(), 0.0);
-        Pair { wheels, terms, constant: 0.0, distance: 0.0, direction: 0.0, turns, still, follows: false }
-    }
-
     /// What the row is divided by.
     pub fn scale(&self) -> f64 {
         let [first, second] = &self.wheels;
@@ -111,7 +115,7 @@ pub(super) enum Turning {
     Travel(usize),
 }
 
-type Body = Option<usize>;
+pub(super) type Body = Option<usize>;
 /// Joints with signs, and their axis where anything turns.
 type Turn = (Vec<(usize, f64)>, Option<V3>);
 
@@ -199,7 +203,6 @@ impl Reader<'_> {
             bore: self.entry_of(node, "bore", own)?,
             center,
             cone: value("cone", 0.0)?,
-            diameter: value("diameter", 0.0)?,
             along,
         })
     }
@@ -207,35 +210,44 @@ impl Reader<'_> {
     fn pair(&self, wheels: [Toothing; 2], own: &str) -> Read<Pair> {
         let unheld = || DefinitionError::value(own, "nothing holds its wheels to each other");
         if let Some(rack) = wheels.iter().position(|wheel| wheel.kind == Kind::Rack) {
-            let terms = self.rolling(&wheels, rack, own)?.ok_or_else(unheld)?;
-            return Ok(Pair::of(wheels, terms));
+            return self.rolling(wheels.clone(), rack, own)?.ok_or_else(unheld);
         }
         if wheels.iter().any(|wheel| wheel.kind != Kind::Cylinder) {
-            let terms = self.crossing(&wheels).ok_or_else(unheld)?;
-            return Ok(Pair::of(wheels, terms));
+            return self.crossing(wheels.clone()).ok_or_else(unheld);
         }
         let [first, second] = &wheels;
         let sense = if first.internal || second.internal { -1.0 } else { 1.0 };
         let (carrier, across) = self.carrier(&wheels).ok_or_else(unheld)?;
         let mut terms: BTreeMap<Turning, f64> = BTreeMap::new();
         let (mut fixed, mut between) = (0.0, [across[0], across[1]]);
+        let counted = usize::from(first.internal);
+        let (mut turns, mut still) = (Vec::new(), 0.0);
+        let (mut middles, mut space) = ([first.first, second.first], None);
         if self.spatial {
             let mut axis: Option<V3> = None;
-            for (wheel, teeth) in [(first, first.teeth), (second, sense * second.teeth)] {
+            for (which, (wheel, teeth)) in
+                [(first, first.teeth), (second, sense * second.teeth)].into_iter().enumerate()
+            {
                 let (own, about) = self.turn(Some(wheel.body), carrier).ok_or_else(unheld)?;
                 let side = match (axis, about) {
                     (Some(a), Some(b)) => dot(a, b).signum(),
                     _ => 1.0,
                 };
                 axis = axis.or(about);
+                // Seen along an axle that points back, a tooth is as far the other way.
+                middles[which] *= side;
                 for (joint, sign) in own {
                     *terms.entry(Turning::Joint(joint)).or_default() += teeth * side * sign;
+                    if which == counted {
+                        turns.push((side * sign, Turning::Joint(joint)));
+                    }
                 }
             }
             let axis = axis.ok_or_else(unheld)?;
             let joint = self.joints.iter().find(|joint| dot(column(&joint.frame, 2), axis) > 1.0 - 1e-12);
             let frame = joint.ok_or_else(unheld)?.frame;
             between = [dot(column(&frame, 0), across), dot(column(&frame, 1), across)];
+            space = Some((axis, across));
         } else {
             let turning = [
                 (first.teeth, Some(first.body)),
@@ -251,10 +263,8 @@ impl Reader<'_> {
         }
         let terms =
             terms.into_iter().filter(|(_, factor)| *factor != 0.0).map(|(what, factor)| (factor, what));
-        let (mut turns, mut still) = (Vec::new(), 0.0);
         if !self.spatial {
-            let wheel = if first.internal { second.body } else { first.body };
-            for (sign, body) in [(1.0, Some(wheel)), (-1.0, carrier)] {
+            for (sign, body) in [(1.0, Some(wheels[counted].body)), (-1.0, carrier)] {
                 match (body, self.orientation(body, own)?) {
                     (Some(body), (Some(_), _)) => turns.push((sign, Turning::Body(body))),
                     (_, (_, angle)) => still += sign * angle,
@@ -263,132 +273,32 @@ impl Reader<'_> {
         }
         let [x, y] = if second.internal { between.map(|part| -part) } else { between };
         let (distance, direction) = (x.hypot(y), y.atan2(x));
-        let constant = wrapped(facing(&wheels, sense, between) - fixed);
+        let constant = wrapped(facing(&wheels, sense, between, middles) - fixed);
         let terms = terms.collect();
-        Ok(Pair { terms, constant, distance, direction, turns, still, follows: false, wheels })
-    }
-
-    /// A pinion on a rack: the pitch circle rolls on the line, ω × r = v along it.
-    fn rolling(&self, wheels: &[Toothing; 2], rack: usize, own: &str) -> Read<Option<Vec<(f64, Turning)>>> {
-        let (rack, pinion) = (&wheels[rack], &wheels[1 - rack]);
-        let lines = self.fixed_to(rack, own)?;
-        for (carrier, center) in self.pinned(&pinion.center) {
-            for (index, joint) in self.joints.iter().enumerate() {
-                let ends = [joint.first.body, joint.second.body];
-                if joint.kind != "prismatic" || carrier == Some(pinion.body) || !ends.contains(&carrier) {
-                    continue;
-                }
-                let body = if ends[0] == carrier { ends[1] } else { ends[0] };
-                let Some((_, at, along)) = lines.iter().find(|(known, ..)| *known == body) else { continue };
-                let turn = self.axes_in(body, carrier, own)?;
-                let axis = column(&joint.frame, if self.spatial { 2 } else { 0 });
-                // Of two ends the carrier is the one whose place and axes count.
-                let (base, far, moves) = if ends[0] == carrier {
-                    (joint.first.local, joint.second.local, axis)
-                } else {
-                    (joint.second.local, joint.first.local, turned(&turn, times(-1.0, axis)))
-                };
-                let start = plus(base, turned(&turn, minus(*at, far)));
-                let along = turned(&turn, *along);
-                let (terms, about) = if self.spatial {
-                    let Some((terms, Some(about))) = self.turn(Some(pinion.body), carrier) else {
-                        return Ok(None);
-                    };
-                    (terms.into_iter().map(|(joint, sign)| (sign, Turning::Joint(joint))).collect(), about)
-                } else {
-                    let mut terms = Vec::new();
-                    for (sign, body) in [(1.0, Some(pinion.body)), (-1.0, carrier)] {
-                        if let (Some(body), (Some(_), _)) = (body, self.orientation(body, own)?) {
-                            terms.push((sign, Turning::Body(body)));
-                        }
-                    }
-                    (terms, unit_axis(2))
-                };
-                let way = minus(start, center);
-                let towards = minus(minus(way, times(dot(way, along), along)), times(dot(way, about), about));
-                let Some(towards) = unit(towards) else { return Ok(None) };
-                let rolls = dot(cross(about, times(pinion.pitch(), towards)), along);
-                let mut all: Vec<(f64, Turning)> =
-                    terms.into_iter().map(|(sign, what)| (sign * pinion.teeth, what)).collect();
-                all.push((-dot(moves, along) * pinion.teeth / rolls, Turning::Travel(index)));
-                return Ok(Some(all));
-            }
-        }
-        Ok(None)
-    }
-
-    /// The line of a rack in everything that its body is fixed to.
-    fn fixed_to(&self, rack: &Toothing, own: &str) -> Read<Vec<(Body, V3, V3)>> {
-        let mut found = vec![(Some(rack.body), rack.center.local, rack.along)];
-        let mut next = 0;
-        while let Some((body, at, along)) = found.get(next).copied() {
-            next += 1;
-            for joint in self.joints.iter().filter(|joint| joint.kind == "fixed") {
-                for (near, far) in [(&joint.first, &joint.second), (&joint.second, &joint.first)] {
-                    if near.body == body && found.iter().all(|(known, ..)| *known != far.body) {
-                        let turn = self.axes_in(body, far.body, own)?;
-                        let there = plus(far.local, turned(&turn, minus(at, near.local)));
-                        found.push((far.body, there, turned(&turn, along)));
-                    }
-                }
-            }
-        }
-        Ok(found)
-    }
-
-    /// The axes of a body in those of another that keeps its orientation against it.
-    fn axes_in(&self, body: Body, other: Body, own: &str) -> Read<M3> {
-        if self.spatial {
-            return Ok(IDENTITY);
-        }
-        let angle = self.orientation(body, own)?.1 - self.orientation(other, own)?.1;
-        let (sine, cosine) = angle.sin_cos();
-        Ok(from_columns([cosine, sine, 0.0], [-sine, cosine, 0.0], unit_axis(2)))
-    }
-
-    /// Bevel gears and worms: at the point that touches both velocities have the same part along the normal of the flanks.
-    fn crossing(&self, wheels: &[Toothing; 2]) -> Option<Vec<(f64, Turning)>> {
-        let (carrier, across) = self.carrier(wheels)?;
-        let turns = [self.turn(Some(wheels[0].body), carrier)?, self.turn(Some(wheels[1].body), carrier)?];
-        let axes = [turns[0].1?, turns[1].1?];
-        let square = cross(axes[0], axes[1]);
-        let (touch, flank) = match wheels.iter().position(|wheel| wheel.kind == Kind::Worm) {
-            Some(worm) => {
-                let normal = unit(times(dot(square, across).signum(), square))?;
-                let of = |wheel: &Toothing| match wheel.kind {
-                    Kind::Worm => 0.5 * wheel.diameter,
-                    _ => wheel.pitch(),
-                };
-                let touch = [times(of(&wheels[0]), normal), times(-of(&wheels[1]), normal)];
-                let screw = &wheels[worm];
-                let slope = wheels[1 - worm].helix.signum() * screw.teeth * screw.module / screw.diameter;
-                let around = cross(axes[worm], unit(touch[worm])?);
-                // Along a thread, then across it in the plane that touches both pitch cylinders.
-                (touch, cross(plus(around, times(slope, axes[worm])), normal))
-            }
-            None => {
-                let apex = times(dot(cross(across, axes[1]), square) / dot(square, square), axes[0]);
-                let out = [unit(times(-1.0, apex))?, unit(minus(across, apex))?];
-                let toward = unit(minus(out[1], times(dot(out[0], out[1]), out[0])))?;
-                let (sine, cosine) = wheels[0].cone.sin_cos();
-                let line = plus(times(cosine, out[0]), times(sine, toward));
-                let point = plus(apex, times(wheels[0].pitch() / sine, line));
-                ([point, minus(point, across)], square)
-            }
-        };
-        let speeds = [0, 1].map(|k| dot(cross(axes[k], touch[k]), flank));
-        let factors = [wheels[0].teeth, -wheels[0].teeth * speeds[1] / speeds[0]];
-        let terms = turns
-            .into_iter()
-            .zip(factors)
-            .flat_map(|((own, _), factor)| own.into_iter().map(move |(joint, sign)| (factor * sign, joint)));
-        let mut found: BTreeMap<usize, f64> = BTreeMap::new();
-        terms.for_each(|(factor, joint)| *found.entry(joint).or_default() += factor);
-        Some(found.into_iter().map(|(joint, factor)| (factor, Turning::Joint(joint))).collect())
+        let touch = space.map(|(axis, across)| beside(&wheels, sense, carrier, axis, across));
+        let (radius, first, side) =
+            (first.base() / first.teeth, middles[counted], if counted == 0 { 1.0 } else { sense });
+        let follows = false;
+        Ok(Pair {
+            terms,
+            constant,
+            distance,
+            direction,
+            carrier,
+            counted,
+            turns,
+            still,
+            first,
+            side,
+            radius,
+            touch,
+            follows,
+            wheels,
+        })
     }
 
     /// What both centres are pinned to, and the way between them there.
-    fn carrier(&self, wheels: &[Toothing; 2]) -> Option<(Body, V3)> {
+    pub(super) fn carrier(&self, wheels: &[Toothing; 2]) -> Option<(Body, V3)> {
         let [first, second] = [0, 1].map(|which| self.pinned(&wheels[which].center));
         let own = [Some(wheels[0].body), Some(wheels[1].body)];
         let mut both: Vec<(Body, V3)> = Vec::new();
@@ -402,7 +312,7 @@ impl Reader<'_> {
         both.into_iter().min_by_key(|(body, _)| *body)
     }
 
-    fn pinned(&self, place: &Place) -> Vec<(Body, V3)> {
+    pub(super) fn pinned(&self, place: &Place) -> Vec<(Body, V3)> {
         let mut found = vec![(place.body, place.local)];
         let mut next = 0;
         while let Some((body, at)) = found.get(next).copied() {
@@ -442,7 +352,7 @@ impl Reader<'_> {
     }
 
     /// By which joints of space a body turns against another, with signs, and about which axis.
-    fn turn(&self, body: Body, carrier: Body) -> Option<Turn> {
+    pub(super) fn turn(&self, body: Body, carrier: Body) -> Option<Turn> {
         let all = [carrier, None].into_iter().chain((0..self.bodies.len()).map(Some));
         all.into_iter().find_map(|third| {
             let (mut one, about) = self.against(body, third)?;
@@ -496,14 +406,14 @@ fn keeps_place(joint: &Joint) -> bool {
 }
 
 /// z₁(θ₁ − ψ) + z₂(θ₂ − ψ − π) = π, of a ring z₁(θ₁ − ψ) − z₂(θ₂ − ψ) = π, for the angles of the bodies.
-fn facing([first, second]: &[Toothing; 2], sense: f64, [x, y]: [f64; 2]) -> f64 {
+fn facing([first, second]: &[Toothing; 2], sense: f64, [x, y]: [f64; 2], middles: [f64; 2]) -> f64 {
     let psi = if second.internal { (-y).atan2(-x) } else { y.atan2(x) };
-    let own = first.teeth * (psi - first.first);
+    let own = first.teeth * (psi - middles[0]);
     let at = if sense < 0.0 { psi } else { psi + PI };
-    PI + own + sense * second.teeth * (at - second.first)
+    PI + own + sense * second.teeth * (at - middles[1])
 }
 
-fn wrapped(angle: f64) -> f64 {
+pub(super) fn wrapped(angle: f64) -> f64 {
     angle - TAU * (angle / TAU).round()
 }
 

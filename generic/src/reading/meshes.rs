@@ -3,7 +3,7 @@
 //! Cantilevers of the thickness where they are touched, or bending, shear and compression along the flank (Cornell 1981) with the body below
 //! (Sainsot, Velex & Duverger 2004) and the contact (Yang & Sun 1985), at 256 places of a pitch.
 
-use super::gears::{Pair, Toothing};
+use super::gears::{Kind, Pair, Toothing};
 use super::laws::May;
 use super::{Read, Reader};
 use crate::error::DefinitionError;
@@ -11,6 +11,7 @@ use crate::json::{field, optional, text};
 use crate::law::Law;
 use crate::load::Acts;
 use crate::mesh::{Mesh, Stiffness};
+use crate::vector::{dot, norm, turned, unit_axis};
 use serde_json::Value;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -20,30 +21,25 @@ const STRIPS: usize = 200;
 
 impl Reader<'_> {
     pub(super) fn mesh(&self, node: &Value, own: &str) -> Read<Acts> {
-        if self.spatial {
-            return Err(DefinitionError::not_there_yet(own, "a mesh in space"));
-        }
         let pairs = self.pairs()?;
         let pair = pairs.iter().find(|(name, _)| name == own).map(|(_, pair)| pair);
         let pair = pair.ok_or_else(|| DefinitionError::unknown(own, "a pair of toothings"))?;
         let [first, second] = &pair.wheels;
         let sense = if first.internal || second.internal { -1.0 } else { 1.0 };
         let bases = [first.base(), second.base()];
-        let working = ((bases[1] + sense * bases[0]).abs() / pair.distance).acos();
-        let shape = Shape { pair, working, pitch: TAU * bases[0] / first.teeth };
+        let shape = Shape::of(pair);
         let written = field(node, "stiffness", own)?;
         let (stiffness, mean) = match optional(written, "involute") {
             Some(involute) => {
                 let (mean, waves) = self.series(&shape, involute, own)?;
-                let signed = self.entry_of(node, "sense", own)?.unwrap_or(1.0).signum();
-                let signed = if first.internal { -signed } else { signed };
-                let (wheel, _) = shape.wheels();
-                let still = pair.still + wheel.first - pair.direction;
-                let start = shape.start() + signed * wheel.teeth * still / TAU;
+                let signed = pair.side * self.entry_of(node, "sense", own)?.unwrap_or(1.0).signum();
+                let teeth = pair.wheels[pair.counted].teeth;
+                let still = pair.still + pair.first - pair.direction;
+                let start = shape.start() + signed * teeth * still / TAU;
                 let turns = pair
                     .turns
                     .iter()
-                    .map(|(factor, what)| Ok((signed * wheel.teeth * factor, self.turning(*what, own)?)));
+                    .map(|(factor, what)| Ok((signed * teeth * factor, self.turning(*what, own)?)));
                 let turns = turns.collect::<Read<_>>()?;
                 (Stiffness::Series { mean, waves, start, turns }, mean)
             }
@@ -62,7 +58,7 @@ impl Reader<'_> {
                 if always { self.in_unit(&value["args"][0], unit, own)? } else { self.entry(entry, own)? };
         }
         if let Some(ratio) = self.entry_of(node, "damping_ratio", own)? {
-            let mass = self.reduced_mass(pair, bases, own)?;
+            let mass = self.reduced_mass(pair, own)?;
             damping = 2.0 * ratio * (mean * mass).sqrt();
         }
         let backlash = self.entry_of(node, "backlash", own)?.unwrap_or(0.0);
@@ -81,8 +77,9 @@ impl Reader<'_> {
             bases,
             sense,
             ring_is_second: second.internal,
-            teeth: first.teeth,
-            working,
+            radius: pair.radius,
+            working: shape.working,
+            touch: pair.touch,
             constant: pair.constant,
             pitches: None,
             stiffness,
@@ -99,21 +96,42 @@ impl Reader<'_> {
         self.reading(own, May::Motion, |law| law.entry(entry))
     }
 
-    /// 1/Σ r_b²/I, I of all that turns with a wheel.
-    fn reduced_mass(&self, pair: &Pair, bases: [f64; 2], own: &str) -> Read<f64> {
+    /// 1/Σ (∂u/∂θ)²/I, I of all that turns with a wheel; of a rack its mass along the line of action.
+    fn reduced_mass(&self, pair: &Pair, own: &str) -> Read<f64> {
         let mut inverse = 0.0;
-        for (wheel, base) in pair.wheels.iter().zip(bases) {
+        for wheel in &pair.wheels {
             let (root, _) = self.orientation(Some(wheel.body), own)?;
             if root.is_none() {
                 continue;
             }
+            let along = match self.spatial && wheel.kind != Kind::Rack {
+                true => self.turn(Some(wheel.body), pair.carrier).and_then(|(_, axis)| axis),
+                false => None,
+            };
+            let axis = along.unwrap_or(unit_axis(2));
+            let fixed = match wheel.kind {
+                Kind::Rack => self.fixed_to(wheel, own)?.into_iter().map(|(body, ..)| body).collect(),
+                _ => Vec::new(),
+            };
             let mut inertia = 0.0;
             for body in 0..self.bodies.len() {
-                if self.orientation(Some(body), own)?.0 == root {
-                    inertia += self.bodies[body].inertia[2][2];
+                let moves_with = match wheel.kind {
+                    Kind::Rack => fixed.contains(&Some(body)),
+                    _ => self.orientation(Some(body), own)?.0 == root,
+                };
+                if moves_with {
+                    let body = &self.bodies[body];
+                    inertia += match wheel.kind {
+                        Kind::Rack => body.mass,
+                        _ => dot(axis, turned(&body.inertia, axis)),
+                    };
                 }
             }
-            inverse += base * base / inertia;
+            let lever = match (wheel.kind, &pair.touch) {
+                (Kind::Rack, Some(touch)) => norm(touch.push),
+                _ => pair.radius * wheel.teeth,
+            };
+            inverse += lever * lever / inertia;
         }
         Ok(1.0 / inverse)
     }
@@ -128,7 +146,10 @@ impl Reader<'_> {
                 Some(tooth) => text(field(tooth, "value", own)?, "name", own)? == "section",
                 None => false,
             },
-            width: shape.pair.wheels.iter().filter_map(|wheel| wheel.width).fold(f64::INFINITY, f64::min),
+            width: [&shape.wheel, &shape.other]
+                .iter()
+                .filter_map(|it| it.width)
+                .fold(f64::INFINITY, f64::min),
         };
         let (harmonics, over) = (number("harmonics", 5.0)? as usize, number("entry", 0.0)?);
         let [begin, end] = shape.path();
@@ -153,8 +174,7 @@ impl Reader<'_> {
             sums
         };
         // Slanted teeth: the mean over the face, from one end to the other of which they come later by so many pitches.
-        let first = &shape.pair.wheels[0];
-        let overlap = material.width * first.helix.abs().sin() / (PI * first.module);
+        let overlap = material.width * shape.helix.abs().sin() / (PI * shape.wheel.module);
         let over_the_face = |h: usize| {
             let angle = PI * h as f64 * overlap;
             let part = if angle == 0.0 { 1.0 } else { angle.sin() / angle };
@@ -171,33 +191,59 @@ struct Material {
     width: f64,
 }
 
-/// A pair with its working angle and base pitch.
-struct Shape<'p> {
-    pair: &'p Pair,
+/// The teeth of a pair in the section in which they mesh, the wheel before its partner.
+struct Shape {
+    wheel: Toothing,
+    other: Toothing,
+    distance: f64,
     working: f64,
     pitch: f64,
+    helix: f64,
 }
 
 fn inv(angle: f64) -> f64 {
     angle.tan() - angle
 }
 
-impl Shape<'_> {
-    /// The wheel, of two the first, and the other one.
-    fn wheels(&self) -> (&Toothing, &Toothing) {
-        let [first, second] = &self.pair.wheels;
-        if first.internal { (second, first) } else { (first, second) }
+impl Shape {
+    fn of(pair: &Pair) -> Self {
+        let (wheel, other) = (&pair.wheels[pair.counted], &pair.wheels[1 - pair.counted]);
+        let (mut wheel, mut other, mut distance) = (wheel.clone(), other.clone(), pair.distance);
+        if wheel.kind == Kind::Bevel {
+            // Tredgold's spur gears, in the middle of the face.
+            let long = wheel.pitch() / wheel.cone.sin();
+            let face = [&wheel, &other].iter().filter_map(|it| it.width).fold(f64::INFINITY, f64::min);
+            let part = if face.is_finite() { 1.0 - 0.5 * face / long } else { 1.0 };
+            for spur in [&mut wheel, &mut other] {
+                spur.teeth /= spur.cone.cos();
+                spur.module *= part;
+            }
+            distance = wheel.pitch() + other.pitch();
+        }
+        let working = match other.kind {
+            Kind::Cylinder => {
+                let sense = if other.internal { -1.0 } else { 1.0 };
+                ((other.base() + sense * wheel.base()).abs() / distance).acos()
+            }
+            Kind::Rack | Kind::Bevel | Kind::Worm => wheel.transverse(),
+        };
+        let (pitch, helix) = (TAU * wheel.base() / wheel.teeth, wheel.helix);
+        Shape { wheel, other, distance, working, pitch, helix }
     }
 
     fn tangent(&self) -> f64 {
-        self.pair.distance * self.working.sin()
+        self.distance * self.working.sin()
     }
 
     fn path(&self) -> [f64; 2] {
         let reach = |wheel: &Toothing| (wheel.tip().powi(2) - wheel.base().powi(2)).max(0.0).sqrt();
-        let (wheel, other) = self.wheels();
+        let Shape { wheel, other, .. } = self;
         if other.internal {
             [(reach(other) - self.tangent()).max(0.0), reach(wheel)]
+        } else if matches!(other.kind, Kind::Rack | Kind::Worm) {
+            let above = other.module * other.addendum - wheel.module * wheel.shift;
+            let begin = wheel.pitch() * self.working.sin() - above / self.working.sin();
+            [begin.max(0.0), reach(wheel)]
         } else {
             [(self.tangent() - reach(other)).max(0.0), reach(wheel).min(self.tangent())]
         }
@@ -205,7 +251,7 @@ impl Shape<'_> {
 
     /// τ where a tooth of the wheel stands on the line of centres.
     fn start(&self) -> f64 {
-        let (wheel, _) = self.wheels();
+        let wheel = &self.wheel;
         let half = (FRAC_PI_2 + 2.0 * wheel.shift * wheel.angle.tan()) / wheel.teeth
             + inv(wheel.transverse())
             - inv(self.working);
@@ -213,10 +259,16 @@ impl Shape<'_> {
     }
 
     fn of_one(&self, material: &Material, along: f64) -> f64 {
-        let (wheel, other) = self.wheels();
-        let across = if other.internal { self.tangent() + along } else { self.tangent() - along };
+        let Shape { wheel, other, .. } = self;
+        let across = match other.kind {
+            Kind::Rack => self.distance - wheel.base() * self.working.cos() - along * self.working.sin(),
+            _ if other.internal => self.tangent() + along,
+            _ => self.tangent() - along,
+        };
         let give = [(wheel, along), (other, across)].map(|(toothing, along)| {
-            if material.section {
+            if toothing.kind == Kind::Rack {
+                straight(toothing, material, along)
+            } else if material.section {
                 section(toothing, material, along)
             } else {
                 profile(toothing, material, along)
@@ -232,6 +284,24 @@ fn half(toothing: &Toothing, angle: f64) -> f64 {
     let side = if toothing.internal { -1.0 } else { 1.0 };
     (FRAC_PI_2 + side * 2.0 * toothing.shift * toothing.angle.tan()) / toothing.teeth
         + side * (inv(toothing.transverse()) - inv(angle))
+}
+
+/// A rack's tooth, touched so far above its line: a trapezium.
+fn straight(rack: &Toothing, material: &Material, height: f64) -> f64 {
+    let Material { young, poisson, width, section } = *material;
+    let foot = -rack.dedendum * rack.module;
+    let thick = |y: f64| FRAC_PI_2 * rack.module - 2.0 * y * rack.angle.tan();
+    if section {
+        return 4.0 * (height - foot).powi(3) / (young * width * thick(height).powi(3));
+    }
+    let plate = if width > 5.0 * thick(0.0) { young / (1.0 - poisson * poisson) } else { young };
+    let (sine, cosine) = rack.angle.sin_cos();
+    simpson(foot, height, |y| {
+        let bent = (height - y) * cosine - 0.5 * thick(height) * sine;
+        12.0 * bent * bent / (plate * width * thick(y).powi(3))
+            + 2.4 * (1.0 + poisson) * cosine * cosine / (young * width * thick(y))
+            + sine * sine / (plate * width * thick(y))
+    })
 }
 
 fn section(toothing: &Toothing, material: &Material, along: f64) -> f64 {

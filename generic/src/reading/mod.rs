@@ -18,6 +18,7 @@ mod places;
 mod rubbing;
 mod states;
 mod tables;
+mod touching;
 mod values;
 mod vectors;
 

@@ -7,14 +7,14 @@ use linkwright_compiler::Compiled;
 use linkwright_compiler::functions::Argument;
 use linkwright_compiler::model::{Coordinates, Space};
 use linkwright_compiler::schedule::{Function, Inputs, Source, outputs, sources};
-use linkwright_compiler::symbolic::{Node, Op, evaluate_with};
+use linkwright_compiler::symbolic::{Node, Op, Unary, evaluate_with};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-/// The models mutated: loops with general bodies; slots, slides and loads; time, springs and particles; in space a loop with
+/// The models mutated: loops with general bodies; slots, slides and loads; time, springs and particles; teeth that give; in space a loop with
 /// a ball and a cross, a chain of all that screws and slides with a particle, a driven loop of constant-velocity joints, a long tree.
-pub const MODELS: [&str; 7] =
-    ["general_four_bar", "quick_return", "car_axis", "crank", "jack", "shafts", "snake"];
+pub const MODELS: [&str; 8] =
+    ["general_four_bar", "quick_return", "car_axis", "crank", "gear_pair", "jack", "shafts", "snake"];
 
 /// Functions that the reference judges.
 const JUDGED: [Function; 18] = [
@@ -195,6 +195,12 @@ impl<'a> Judge<'a> {
         {
             return Some("only its square is used");
         }
+        if !is_output && self.is_whole_turns(node, change) && uses.clone().count() > 0 {
+            let periodic = |op: &Op| matches!(op, Op::Unary(Unary::Cos | Unary::Sin, _));
+            if uses.clone().all(periodic) {
+                return Some("whole turns within a sine or cosine");
+            }
+        }
         if self.measures_only(node) && self.measures_alike(node, change) {
             return Some("what a row is measured by, within what the rank along the motion is known to");
         }
@@ -229,6 +235,22 @@ impl<'a> Judge<'a> {
         let others = self.record.inputs(self.compiled, false);
         let everywhere = self.changes_nothing(node, change, &others, VANISHES_ANYWHERE);
         everywhere.then_some("a term that vanishes everywhere")
+    }
+
+    /// Whether an angle is changed by nothing but what its whole turns count for.
+    fn is_whole_turns(&self, node: Node, change: Op) -> bool {
+        let equations = &self.compiled.complete.equations;
+        let (graph, layout) = (equations.graph.read(), &equations.layout);
+        let counts = |node: Node| {
+            let entries = (0..layout.angles.len()).map(|angle| equations.symbols.q[layout.turns(angle)]);
+            let is_turn = |constant: Node| matches!(graph.op(constant), Op::Constant(bits) if f64::from_bits(bits) == std::f64::consts::TAU);
+            let turns: Vec<Node> = entries.collect();
+            matches!(graph.op(node), Op::Mul(a, b) if is_turn(a) && turns.contains(&b) || is_turn(b) && turns.contains(&a))
+        };
+        match (graph.op(node), change) {
+            (Op::Add(a, b), Op::Add(c, _) | Op::Sub(c, _)) => c == a && counts(b) || c == b && counts(a),
+            _ => false,
+        }
     }
 
     /// Whether the node has a part in nothing but the size that a row's pivot is divided by.

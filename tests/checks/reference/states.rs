@@ -74,7 +74,9 @@ impl<'a> Walker<'a> {
             inputs.q.extend(quaternion(random));
         }
         for _ in &layout.angles {
-            inputs.q.extend([random.between(-2.0, 3.0).floor(), random.between(-PI, PI)]);
+            // No turns would show no error in what they are multiplied by.
+            let turns = random.between(-2.0, 2.0);
+            inputs.q.extend([turns.signum() * turns.abs().ceil(), random.between(-PI, PI)]);
         }
         inputs.v = random.vector(layout.velocities(), self.speed);
         if !inputs.internal.is_empty() {

@@ -17,6 +17,7 @@ pub mod zoo_gates;
 pub mod zoo_gears;
 pub mod zoo_hysteresis;
 pub mod zoo_laws;
+pub mod zoo_meshes;
 pub mod zoo_modal;
 pub mod zoo_parts;
 pub mod zoo_profiles;

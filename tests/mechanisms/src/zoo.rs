@@ -211,6 +211,8 @@ macro_rules! for_each_in_zoo {
             meshed: $crate::zoo_gears::Meshed,
             floated: $crate::zoo_gears::Floated,
             helical: $crate::zoo_gears::Helical,
+            yielding_racks: $crate::zoo_meshes::YieldingRacks,
+            yielding_cones: $crate::zoo_meshes::YieldingCones,
             epicycle: $crate::zoo_gears::Epicycle,
             racked: $crate::zoo_gears::Racked,
             coned: $crate::zoo_gears::Coned,

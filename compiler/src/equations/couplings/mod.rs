@@ -9,7 +9,7 @@ mod screw;
 mod teeth;
 mod worm;
 
-pub use teeth::{distance, facing};
+pub use teeth::{distance, facing, sum as sum_of_teeth};
 
 use super::jet::Moving;
 use super::laws::Laws;

@@ -28,7 +28,7 @@ pub static COUPLING: CouplingForm = CouplingForm {
 };
 
 /// Σ factor · angle + Σ factor · travel, over a number.
-fn sum<'g>(laws: &Laws<'g>, pair: &Pair, over: f64) -> Moving<'g> {
+pub fn sum<'g>(laws: &Laws<'g>, pair: &Pair, over: f64) -> Moving<'g> {
     let angles = laws.sum_of_angles(&pair.terms, over);
     pair.travels.iter().fold(angles, |sum, (factor, joint)| {
         sum + (factor / over) * laws.kinematics().travel(laws, *joint, 0)

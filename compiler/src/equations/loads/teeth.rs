@@ -5,10 +5,12 @@
 //! u is beyond half the backlash (Kahraman & Singh, Non-linear dynamics of a spur gear pair, J. Sound Vib. 142, 1990, (1)–(4)). k is a law, or a series in
 //! cos and sin of the turn of a wheel by its number of teeth, by powers of the pair (cos θ, sin θ): no turns are counted for it.
 //!
+//! Of a rack, cones and a worm (r_b1/z₁) is what the sum of teeth and travels moves along their common normal, `Touch::radius`.
+//!
 //! Where axes move, each side of a tooth has a line of action of its own and presses for itself, by ±u less half the backlash and less the play that the distance
 //! of the axes gives: N = N₊ − N₋.
 
-use crate::equations::couplings::phase_of_load;
+use crate::equations::couplings::{phase_of_load, sum_of_teeth as sum};
 use crate::equations::jet::Moving;
 use crate::equations::laws::Laws;
 use crate::equations::plane::MovingAxes;
@@ -78,8 +80,8 @@ impl<'g, 'l> Teeth<'g, 'l> {
             Some(axes) => axes.turned.clone(),
             None => {
                 let phase = laws.symbols.phases[phase_of_load(laws.mechanism, load)];
-                let radius = mesh.base[0] / pair.teeth[0];
-                radius * (laws.sum_of_angles(&pair.terms, 1.0) - laws.still(laws.g.on(phase)))
+                let radius = pair.touch.as_ref().map_or(mesh.base[0] / pair.teeth[0], |touch| touch.radius);
+                radius * (sum(laws, pair, 1.0) - laws.still(laws.g.on(phase)))
             }
         };
         let mut error = laws.still(laws.value(load.value(ERROR)));
@@ -204,13 +206,13 @@ impl<'g, 'l> Teeth<'g, 'l> {
     /// τ, but for whole pitches.
     fn phase(&self) -> Scalar<'g> {
         let (toothings, mesh) = self.laws.mechanism.mesh_of(self.pair);
-        let wheel = toothings[self.pair.wheel];
-        let [start, sense] = meshes::phase(self.pair, wheel, &mesh, self.load);
+        let [start, sense] = meshes::phase(self.pair, toothings, &mesh, self.load);
         if self.axes.is_some() {
             let [cosine, sine] = self.turn().parts();
             return sine.atan2(cosine) * (sense / TAU) + start;
         }
-        let turns = self.laws.sum_of_angles(&self.pair.turns, TAU / (sense * wheel.teeth));
+        let turns =
+            self.laws.sum_of_angles(&self.pair.turns, TAU / (sense * self.pair.teeth[self.pair.wheel]));
         turns.value() + start
     }
 

@@ -4,7 +4,8 @@
 //! and the other way about, and their outer ends are r/sin δ from that point. Where they touch, z₁(θ₁ − ψ₁) + z₂(θ₂ − ψ₂) = π + 2πk with the angles about
 //! u₁ and u₂ and ψ those of the direction to the other axis (Litvin & Fuentes, Gear Geometry and Applied Theory, 2004, sections 3.6 and 21.2).
 
-use super::vector::{along, cross, difference, dot, length, unit};
+use super::pair::{Touch, middle};
+use super::vector::{across, along, cross, difference, dot, length, scaled, unit};
 use super::{Coupled, Wheels, about_axes, collected, times};
 use crate::messages;
 
@@ -64,8 +65,21 @@ pub fn couple(wheels: &Wheels) -> Result<(f64, Coupled), String> {
     for ((toothing, sign), [x, y]) in [first, second].into_iter().zip(signs).zip(facing) {
         constant += sign * toothing.teeth * (libm::atan2(y, x) - toothing.first);
     }
-    let terms = times(first.teeth, one).chain(times(signs[1] * second.teeth, other));
+    let terms = times(first.teeth, one.clone()).chain(times(signs[1] * second.teeth, other.clone()));
     let cone = first.pitch_radius() / libm::sin(first.cone);
+    // In the middle of the face, on the line along which the cones touch.
+    let (sine, cosine) = (libm::sin(first.cone), libm::cos(first.cone));
+    let toward = unit(across(out[1], out[0]));
+    let reach = cone * middle([first, second]);
+    let touching = along(along(apex, reach * cosine, out[0]), reach * sine, toward);
+    let angle = first.pressure_angle;
+    let touch = Touch {
+        from: 0,
+        at: difference(touching, centers[0]),
+        push: scaled(libm::cos(angle), cross(a, toward)),
+        part: scaled(libm::sin(angle), along(scaled(-sine, out[0]), cosine, toward)),
+        radius: reach * sine * libm::cos(angle) / first.teeth,
+    };
     let coupled = Coupled {
         carrier,
         between: [cone, 0.0],
@@ -74,7 +88,12 @@ pub fn couple(wheels: &Wheels) -> Result<(f64, Coupled), String> {
         constant,
         axes: None,
         beside: 0.0,
-        turns: [Vec::new(), Vec::new()],
+        axles: Some([a, b]),
+        turns: [one, other],
+        first: [first.first, second.first],
+        psi: facing.map(|[x, y]| libm::atan2(y, x)),
+        side: signs,
+        touch: Some(touch),
     };
     Ok((between, coupled))
 }

@@ -5,7 +5,7 @@
 use super::super::{Frame, Rotor, Space};
 use super::holding::Orientations;
 use super::pair::{facing, nominal};
-use super::{Coupled, Wheels, about_axes, collected, times, vector};
+use super::{Coupled, Toothing, Wheels, about_axes, collected, times, vector};
 use crate::messages;
 
 pub fn couple(wheels: &Wheels) -> Result<Coupled, String> {
@@ -17,6 +17,7 @@ pub fn couple(wheels: &Wheels) -> Result<Coupled, String> {
     let across = [0, 1, 2].map(|k| to[k] - from[k]);
     let sense = if first.is_internal() || second.is_internal() { -1.0 } else { 1.0 };
     let (mut turns, mut beside) = ([Vec::new(), Vec::new()], 0.0);
+    let mut teeth = [first.first, second.first];
     let (between, axes, terms, fixed) = match wheels.mechanism.space {
         Space::Planar => {
             let factors = [first.teeth, sense * second.teeth, -(first.teeth + sense * second.teeth)];
@@ -35,6 +36,8 @@ pub fn couple(wheels: &Wheels) -> Result<Coupled, String> {
                 (None, None) => return Err(messages::teeth_on_one_shaft(&first.text, &second.text)),
             };
             turns = [one.terms, times(sign, other.terms).collect()];
+            // J of an axle that is turned round has the same x and the opposite y.
+            teeth[1] *= sign;
             let terms =
                 times(first.teeth, turns[0].clone()).chain(times(sense * second.teeth, turns[1].clone()));
             let axes = about_axes::axes(axis);
@@ -42,8 +45,31 @@ pub fn couple(wheels: &Wheels) -> Result<Coupled, String> {
             ([0, 1].map(|k| vector::dot(axes[k], across)), Some(axes), collected(terms), 0.0)
         }
     };
-    let constant = facing(first, second, between) - fixed;
-    Ok(Coupled { carrier, between, terms, travels: Vec::new(), constant, axes, beside, turns })
+    let constant = facing(first, second, between, teeth) - fixed;
+    let (psi, side) = (toward(wheels.toothings, between), [1.0, sense]);
+    let travels = Vec::new();
+    let axles = axes.map(|[_, _, axle]| [axle; 2]);
+    let first = teeth;
+    Ok(Coupled {
+        carrier,
+        between,
+        terms,
+        travels,
+        constant,
+        axes,
+        beside,
+        axles,
+        turns,
+        first,
+        psi,
+        side,
+        touch: None,
+    })
+}
+
+/// The direction from the first centre to the second, of a ring from its centre to the wheel's.
+fn toward([_, second]: [&Toothing; 2], [x, y]: [f64; 2]) -> [f64; 2] {
+    [if second.is_internal() { libm::atan2(-y, -x) } else { libm::atan2(y, x) }; 2]
 }
 
 /// On axes that move: nothing holds them, and ψ is zero.
@@ -55,7 +81,9 @@ fn free(wheels: &Wheels) -> Result<Coupled, String> {
     // From the first centre to the second; ψ of a ring goes from its centre to the wheel's.
     let side = if second.is_internal() { -1.0 } else { 1.0 };
     let between = [side * nominal(first, second), 0.0];
-    let constant = facing(first, second, [side, 0.0]);
+    let teeth = [first.first, second.first];
+    let constant = facing(first, second, [side, 0.0], teeth);
+    let sense = if first.is_internal() || second.is_internal() { -1.0 } else { 1.0 };
     Ok(Coupled {
         carrier: Frame::Ground,
         between,
@@ -64,7 +92,12 @@ fn free(wheels: &Wheels) -> Result<Coupled, String> {
         constant,
         axes: None,
         beside: 0.0,
+        axles: None,
         turns: [Vec::new(), Vec::new()],
+        first: teeth,
+        psi: toward(wheels.toothings, between),
+        side: [1.0, sense],
+        touch: None,
     })
 }
 

@@ -3,10 +3,12 @@
 use super::super::{BodyId, Expr, Frame, Load, Mechanism, fold};
 use super::Toothing;
 use super::holding::Orientations;
-use super::pair::{Meeting, Mesh, Pair};
+use super::pair::{Meeting, Mesh, Pair, face, spurs};
 use super::stiffness::{self, Material, Series, Stiffness};
-use super::{about_axes, vector};
+use super::vector::{self, V3};
+use super::{about_axes, racks};
 use crate::diagnostics::Diagnostics;
+use crate::forms::Rim;
 use crate::messages;
 use std::f64::consts::TAU;
 
@@ -23,13 +25,13 @@ pub fn settle(mechanism: &mut Mechanism, diagnostics: &mut Diagnostics) {
     let orientations = Orientations::of(mechanism);
     for at in 0..mechanism.loads.len() {
         let Some(teeth) = mechanism.loads[at].teeth.clone() else { continue };
-        if mechanism.pairs[teeth.pair].meeting != Meeting::Cylinders {
-            let [first, second] = mechanism.pairs[teeth.pair].on.map(|id| &mechanism.toothing(id).text);
-            let message = messages::mesh_of_cylinders(first, second);
+        let pair = &mechanism.pairs[teeth.pair];
+        if pair.meeting == Meeting::Worm && teeth.material.is_some() {
+            let [first, second] = pair.on.map(|id| &mechanism.toothing(id).text);
+            let message = messages::involute_of_threads(first, second);
             diagnostics.error(mechanism.loads[at].name.span, message);
             continue;
         }
-        let pair = &mechanism.pairs[teeth.pair];
         let ([first, second], mesh) = mechanism.mesh_of(pair);
         let load = &mechanism.loads[at];
         let number = |which: usize| fold::evaluate(load.value(which), &mechanism.defaults());
@@ -42,8 +44,7 @@ pub fn settle(mechanism: &mut Mechanism, diagnostics: &mut Diagnostics) {
                 continue;
             };
             let found = exact.series(material.harmonics);
-            let wheel = if pair.wheel == 0 { first } else { second };
-            values[STIFFNESS] = in_angle(&found, phase(pair, wheel, &mesh, load));
+            values[STIFFNESS] = in_angle(&found, phase(pair, [first, second], &mesh, load));
             series = Some(found);
         }
         if let Some(most) = number(BACKLASH).filter(|backlash| *backlash > 0.5 * mesh.base_pitch) {
@@ -82,38 +83,34 @@ pub fn settle(mechanism: &mut Mechanism, diagnostics: &mut Diagnostics) {
 }
 
 /// Of a load between teeth whose stiffness follows from their shape: that stiffness, and the series that the equations have.
-pub fn by_shape<'m>(mechanism: &'m Mechanism, load: &'m Load) -> Option<(Stiffness<'m>, &'m Series)> {
+pub fn by_shape<'m>(mechanism: &Mechanism, load: &'m Load) -> Option<(Stiffness, &'m Series)> {
     let teeth = load.teeth.as_ref()?;
     let exact = exact(mechanism, &mechanism.pairs[teeth.pair], teeth.material?)?;
     Some((exact, teeth.series.as_ref()?))
 }
 
 /// The stiffness of a pair by the shape of its teeth, if their width is known.
-fn exact<'m>(mechanism: &'m Mechanism, pair: &Pair, material: Material) -> Option<Stiffness<'m>> {
-    let ([first, second], mesh) = mechanism.mesh_of(pair);
-    let wheels = if pair.wheel == 0 { [first, second] } else { [second, first] };
-    Some(Stiffness::new(wheels, mesh, pair.distance(), width([first, second])?, material))
-}
-
-fn width([first, second]: [&Toothing; 2]) -> Option<f64> {
-    match (first.face_width, second.face_width) {
-        (Some(a), Some(b)) => Some(a.min(b)),
-        (a, b) => a.or(b),
-    }
+fn exact(mechanism: &Mechanism, pair: &Pair, material: Material) -> Option<Stiffness> {
+    let (toothings, mesh) = mechanism.mesh_of(pair);
+    let mut wheels = spurs(toothings, pair);
+    wheels.rotate_left(pair.wheel);
+    let distance = match pair.meeting {
+        Meeting::Cones(_) => wheels[0].pitch_radius() + wheels[1].pitch_radius(),
+        Meeting::Cylinders | Meeting::Rack | Meeting::Worm => pair.distance(),
+    };
+    Some(Stiffness::new(wheels, mesh, distance, face(toothings)?, material))
 }
 
 /// The phase τ where the turns of the wheel are zero, and the sense in which it grows with them.
-pub fn phase(pair: &Pair, wheel: &Toothing, mesh: &Mesh, load: &Load) -> [f64; 2] {
+pub fn phase(pair: &Pair, toothings: [&Toothing; 2], mesh: &Mesh, load: &Load) -> [f64; 2] {
     let sense = match load.value(SENSE) {
         Expr::Number(sense) if *sense < 0.0 => -1.0,
         _ => 1.0,
     };
     // Where a ring drives, its wheel is touched from behind.
-    let sense = if pair.wheel == 1 { -sense } else { sense };
-    let [x, y] = pair.between;
-    let psi = if mesh.sense < 0.0 && pair.wheel == 0 { libm::atan2(-y, -x) } else { libm::atan2(y, x) };
-    let turned = wheel.teeth * (pair.still + wheel.first - psi) / TAU;
-    [stiffness::phase(wheel, mesh) + sense * turned, sense]
+    let sense = pair.side * sense;
+    let turned = pair.teeth[pair.wheel] * (pair.still + pair.first - pair.psi) / TAU;
+    [stiffness::phase(&spurs(toothings, pair)[pair.wheel], mesh) + sense * turned, sense]
 }
 
 /// Σ a cos 2πhτ + b sin 2πhτ with 2πτ = 2πτ₀ + s x by cos hx and sin hx: the mean, then two numbers for each harmonic.
@@ -126,11 +123,11 @@ fn in_angle(series: &Series, [start, sense]: [f64; 2]) -> Vec<Expr> {
     std::iter::once(series.mean).chain(waves).map(Expr::Number).collect()
 }
 
-/// I of a body about its axle, or out of the plane.
-fn about(mechanism: &Mechanism, pair: &Pair, body: usize) -> Option<f64> {
+/// I of a body about an axle of the carrier, or out of the plane.
+fn about(mechanism: &Mechanism, axle: Option<V3>, body: usize) -> Option<f64> {
     let inertia = &mechanism.bodies[body].inertia;
     let value = |expr: &Expr| fold::evaluate(expr, &mechanism.defaults());
-    let Some([_, _, axis]) = pair.axes else { return value(&inertia.moments[2]) };
+    let Some(axis) = axle else { return value(&inertia.moments[2]) };
     let axes = about_axes::columns(mechanism, &inertia.axes)?;
     // In the axes that the moments are of.
     let [x, y, z] = axes.map(|column| vector::dot(column, axis));
@@ -139,7 +136,7 @@ fn about(mechanism: &Mechanism, pair: &Pair, body: usize) -> Option<f64> {
     Some(a? * x * x + b? * y * y + c? * z * z + 2.0 * (ab? * x * y + ac? * x * z + bc? * y * z))
 }
 
-/// m_e = 1/(r_b1²/I₁ + r_b2²/I₂), I of what turns with each wheel.
+/// m_e = 1/Σ (∂u/∂θ)²/I, I of what turns with each wheel; of a rack its mass along the line of action, m/cos² α.
 pub fn reduced_mass(
     mechanism: &Mechanism,
     orientations: &Orientations,
@@ -147,16 +144,34 @@ pub fn reduced_mass(
     mesh: &Mesh,
 ) -> Option<f64> {
     let mut inverse = 0.0;
-    for (id, radius) in pair.on.iter().zip(mesh.base) {
-        let (class, _) = orientations.class(Frame::Body(id.body));
-        if class == 0 {
+    for (which, id) in pair.on.iter().enumerate() {
+        let frames: Vec<Frame> = if mechanism.toothing(*id).form.rim == Rim::Rack {
+            racks::fixed_to(mechanism, mechanism.toothing(*id))
+        } else {
+            let class = orientations.class(Frame::Body(id.body)).0;
+            let bodies = (0..mechanism.bodies.len()).map(|body| Frame::Body(BodyId(body)));
+            std::iter::once(Frame::Ground)
+                .chain(bodies)
+                .filter(|frame| orientations.class(*frame).0 == class)
+                .collect()
+        };
+        if frames.contains(&Frame::Ground) {
             continue;
         }
-        let together = (0..mechanism.bodies.len())
-            .filter(|body| orientations.class(Frame::Body(BodyId(*body))).0 == class);
-        let moments = together.map(|body| about(mechanism, pair, body));
-        let inertia: f64 = moments.collect::<Option<Vec<f64>>>()?.into_iter().sum();
-        inverse += radius * radius / inertia;
+        let weight = |frame: &Frame| match (frame, mechanism.toothing(*id).form.rim) {
+            (Frame::Body(body), Rim::Rack) => {
+                fold::evaluate(&mechanism.bodies[body.0].mass, &mechanism.defaults())
+            }
+            (Frame::Body(body), _) => about(mechanism, pair.axles.map(|axles| axles[which]), body.0),
+            (Frame::Ground, _) => None,
+        };
+        let all: f64 = frames.iter().map(weight).collect::<Option<Vec<f64>>>()?.into_iter().sum();
+        let radius = match &pair.touch {
+            None => mesh.base[which],
+            Some(touch) if pair.teeth[which] == 0.0 => vector::length(touch.push),
+            Some(touch) => touch.radius * pair.teeth[which],
+        };
+        inverse += radius * radius / all;
     }
     (inverse > 0.0).then(|| 1.0 / inverse)
 }

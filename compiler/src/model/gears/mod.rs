@@ -18,8 +18,8 @@ mod vector;
 mod worms;
 
 pub use lowering::Meshing;
-pub use pair::{Meeting, Mesh, Pair, reach};
-pub use told::Told;
+pub use pair::{Meeting, Mesh, Pair, Touch, reach, spurs};
+pub use told::{Gives, Told};
 pub use toothing::{Toothing, ToothingId, involute};
 
 use super::{ConstraintKind, Frame, JointId, Load, Mechanism, Name, Rotor, Space, Subject};
@@ -148,6 +148,9 @@ fn pair(mechanism: &Mechanism, orientations: &Orientations, wanted: &Wanted) -> 
             return Err(messages::no_partners([&first.text, &second.text], words, rims[which]));
         }
     };
+    if axes_move && meeting != Meeting::Cylinders {
+        return Err(messages::moving_axes_of_cylinders(&first.text, &second.text));
+    }
     let wheel = usize::from(matches!(first.form.rim, Rim::Internal | Rim::Rack | Rim::Worm));
     let (turns, still) = match mechanism.space {
         Space::Planar if axes_move => (Vec::new(), 0.0),
@@ -168,12 +171,17 @@ fn pair(mechanism: &Mechanism, orientations: &Orientations, wanted: &Wanted) -> 
         between: found.between,
         axes: found.axes,
         beside: found.beside,
+        axles: found.axles,
         terms: found.terms,
         travels: found.travels,
         constant: pair::remainder(found.constant),
         wheel,
         turns,
         still,
+        first: found.first[wheel],
+        psi: found.psi[wheel],
+        side: found.side[wheel],
+        touch: found.touch,
         follows: None,
     })
 }
@@ -201,7 +209,13 @@ struct Coupled {
     /// Of parallel axes in space: see `Pair::axes`, and by which angles each wheel turns about the last of them.
     axes: Option<[V3; 3]>,
     beside: f64,
+    axles: Option<[V3; 2]>,
     turns: [Vec<(f64, Rotor)>; 2],
+    /// Of each wheel: see `Pair`.
+    first: [f64; 2],
+    psi: [f64; 2],
+    side: [f64; 2],
+    touch: Option<pair::Touch>,
 }
 
 impl Wheels<'_> {

@@ -2,6 +2,7 @@
 
 use super::super::{Frame, JointId, Name, Rotor};
 use super::toothing::{Toothing, ToothingId, angle_of_involute, involute};
+use super::vector::{V3, scaled};
 use std::f64::consts::{PI, TAU};
 
 /// How two toothings stand to each other.
@@ -35,6 +36,8 @@ pub struct Pair {
     pub axes: Option<[[f64; 3]; 3]>,
     /// And how far the second centre is from the first along the last of them.
     pub beside: f64,
+    /// In space the direction of each wheel's axle there, if it has one.
+    pub axles: Option<[V3; 2]>,
     /// Σ factor · angle + Σ factor · travel = constant + 2πk, in radians of a pitch: those of the wheels against the carrier.
     pub terms: Vec<(f64, Rotor)>,
     pub travels: Vec<(f64, JointId)>,
@@ -43,8 +46,34 @@ pub struct Pair {
     pub wheel: usize,
     pub turns: Vec<(f64, Rotor)>,
     pub still: f64,
+    /// Of that wheel: the middle of a tooth about the axle that its angle is counted about, the direction to its partner, and ±1 as its turn counts in the terms.
+    pub first: f64,
+    pub psi: f64,
+    pub side: f64,
+    /// Where the teeth of all but cylinders press.
+    pub touch: Option<Touch>,
     /// By what the pairs before it fix this one, if they do: pairs and factors, Σ over these and this one is no motion.
     pub follows: Option<Vec<(usize, f64)>>,
+}
+
+/// Where pitch surfaces touch, in the axes of the carrier: there the second body is pushed by N `push` + |N| `part`, and the first by the opposite.
+#[derive(Clone, Copy, Debug)]
+pub struct Touch {
+    /// From the centre of one of both to that point.
+    pub from: usize,
+    pub at: V3,
+    /// The part of the normal of the teeth along which they are driven, and that which parts them.
+    pub push: V3,
+    pub part: V3,
+    /// By so much the deflection grows with the sum of the terms.
+    pub radius: f64,
+}
+
+impl Touch {
+    /// The same with the wheels in the other order.
+    pub fn reversed(self) -> Touch {
+        Touch { from: 1 - self.from, push: scaled(-1.0, self.push), part: scaled(-1.0, self.part), ..self }
+    }
 }
 
 impl Pair {
@@ -88,7 +117,7 @@ pub fn of([first, second]: [&Toothing; 2], pair: &Pair) -> Mesh {
     match pair.meeting {
         Meeting::Cylinders => mesh(first, second, pair.distance()),
         Meeting::Cones(_) => {
-            let [one, other] = [first, second].map(Toothing::virtual_spur);
+            let [one, other] = spurs([first, second], pair);
             mesh(&one, &other, one.pitch_radius() + other.pitch_radius())
         }
         Meeting::Rack | Meeting::Worm => {
@@ -96,6 +125,33 @@ pub fn of([first, second]: [&Toothing; 2], pair: &Pair) -> Mesh {
             let played = if pair.meeting == Meeting::Worm { 0.5 * rack.diameter } else { 0.0 };
             on_rack(wheel, rack, pair.wheel, played)
         }
+    }
+}
+
+/// What teeth are like in the section in which they mesh: those of cones like the teeth of spur gears, in the middle of their face.
+pub fn spurs(toothings: [&Toothing; 2], pair: &Pair) -> [Toothing; 2] {
+    match pair.meeting {
+        Meeting::Cones(_) => {
+            let middle = middle(toothings);
+            toothings
+                .map(Toothing::virtual_spur)
+                .map(|spur| Toothing { module: middle * spur.module, ..spur })
+        }
+        Meeting::Cylinders | Meeting::Rack | Meeting::Worm => toothings.map(Toothing::clone),
+    }
+}
+
+/// Where the middle of the face is on cones, as a part of their length; without a face their outer end.
+pub fn middle([first, second]: [&Toothing; 2]) -> f64 {
+    let cone = first.pitch_radius() / libm::sin(first.cone);
+    1.0 - 0.5 * face([first, second]).unwrap_or(0.0) / cone
+}
+
+/// The width along which both have teeth.
+pub fn face([first, second]: [&Toothing; 2]) -> Option<f64> {
+    match (first.face_width, second.face_width) {
+        (Some(a), Some(b)) => Some(a.min(b)),
+        (a, b) => a.or(b),
     }
 }
 
@@ -161,10 +217,7 @@ fn mesh(first: &Toothing, second: &Toothing, distance: f64) -> Mesh {
         ([begin.max(0.0), end.min(tangent)], [begin, end], [begin < 0.0, end > tangent])
     };
     let clamped = if first.is_internal() { [clamped[1], clamped[0]] } else { clamped };
-    let width = match (first.face_width, second.face_width) {
-        (Some(a), Some(b)) => a.min(b),
-        (a, b) => a.or(b).unwrap_or(0.0),
-    };
+    let width = face([first, second]).unwrap_or(0.0);
     Mesh {
         sense,
         base: [first.base_radius(), second.base_radius()],
@@ -198,19 +251,19 @@ pub fn reach([first, second]: [&Toothing; 2]) -> [f64; 2] {
 }
 
 /// What the sum z₁(θ₁ − θ_c) ± z₂(θ₂ − θ_c) is, but for whole turns, where a tooth of the one faces a space of the other. ψ is the
-/// direction from the first centre to the second one, of a ring that from its centre to the wheel's.
-pub fn facing(first: &Toothing, second: &Toothing, between: [f64; 2]) -> f64 {
+/// direction from the first centre to the second one, of a ring that from its centre to the wheel's; φ are the middles of teeth about the first axle.
+pub fn facing(first: &Toothing, second: &Toothing, between: [f64; 2], [phi1, phi2]: [f64; 2]) -> f64 {
     let [x, y] = between;
     let (z1, z2) = (first.teeth, second.teeth);
     let sum = if second.is_internal() {
         let psi = libm::atan2(-y, -x);
-        PI + (z1 - z2) * psi - z1 * first.first + z2 * second.first
+        PI + (z1 - z2) * psi - z1 * phi1 + z2 * phi2
     } else if first.is_internal() {
         let psi = libm::atan2(y, x);
-        PI + (z1 - z2) * psi - z1 * first.first + z2 * second.first
+        PI + (z1 - z2) * psi - z1 * phi1 + z2 * phi2
     } else {
         let psi = libm::atan2(y, x);
-        PI + z1 * psi + z2 * (psi + PI) - z1 * first.first - z2 * second.first
+        PI + z1 * psi + z2 * (psi + PI) - z1 * phi1 - z2 * phi2
     };
     remainder(sum)
 }

@@ -4,8 +4,9 @@
 //! the pinion. A tooth of the pinion faces a space where z (θ − ψ) + 2 s x/m = π + 2πk, ψ the direction d; x falls or grows by the travel of the rail.
 
 use super::super::{Axes, Frame, Joint, JointId, Mechanism, Place, Space};
+use super::pair::Touch;
 use super::vector::{V3, across, along, cross, difference, dot, length, scaled, unit};
-use super::{Coupled, Wheels, about_axes, collected, cylinders, holding, times};
+use super::{Coupled, Toothing, Wheels, about_axes, collected, cylinders, holding, times};
 use crate::messages;
 use std::f64::consts::PI;
 
@@ -59,15 +60,29 @@ pub fn couple(wheels: &Wheels, pinion: usize) -> Result<Coupled, String> {
     let constant = PI + wheel.teeth * (psi - wheel.first - fixed) - in_modules * dot(way, line);
     let travels = vec![(-in_modules * dot(travel.1, line).signum(), travel.0)];
     let between = [distance, 0.0];
+    // Where the pinion is ahead, it pushes the rack the way that its teeth go there.
+    let (sine, cosine) = (libm::sin(wheel.pressure_angle), libm::cos(wheel.pressure_angle));
+    let touch = Touch {
+        from: 0,
+        at: scaled(wheel.pitch_radius(), direction),
+        push: scaled(cosine, cross(axis, direction)),
+        part: scaled(sine, direction),
+        radius: 0.5 * rack.module * cosine,
+    };
     Ok(Coupled {
         carrier,
         between,
-        terms: collected(times(wheel.teeth, terms)),
         travels,
         constant,
         axes: None,
         beside: 0.0,
-        turns: [Vec::new(), Vec::new()],
+        axles: (mechanism.space == Space::Spatial).then_some([axis; 2]),
+        turns: [terms.clone(), terms.clone()],
+        terms: collected(times(wheel.teeth, terms)),
+        first: [wheel.first; 2],
+        psi: [psi; 2],
+        side: [1.0; 2],
+        touch: Some(if pinion == 0 { touch } else { touch.reversed() }),
     })
 }
 
@@ -125,6 +140,13 @@ fn rail(wheels: &Wheels, pinion: usize) -> Option<Stand> {
             Some(Stand { carrier, center, start, line, travel: (JointId(index), moves) })
         })
     })
+}
+
+/// Everything that a rack is fixed to, its own body first.
+pub fn fixed_to(mechanism: &Mechanism, rack: &Toothing) -> Vec<Frame> {
+    let rays = holding::known(mechanism, &rack.center)
+        .map(|(frame, at)| carried(mechanism, Ray { frame, at, along: rack.along }));
+    rays.into_iter().flatten().map(|ray| ray.frame).collect()
 }
 
 /// The ray in everything that its body is fixed to.

@@ -4,10 +4,11 @@
 //! touched (k = 3 E I/h³). `profile`: bending, shear and compression along the true flank (Cornell, Compliance and stress sensitivity of
 //! spur gear teeth, J. Mech. Des. 103, 1981; Yang & Lin 1987), with the body below the tooth (Sainsot, Velex & Duverger, Contribution of
 //! gear body to tooth deflections, J. Mech. Des. 126, 2004, table 1) and the contact, 4 (1 − ν²)/(π E b) (Yang & Sun, A rotary model for spur
-//! gear dynamics, J. Mech. Trans. 107, 1985). Teeth of a ring stand on a rim that gives nothing. Pairs in contact add up.
+//! gear dynamics, J. Mech. Trans. 107, 1985). Teeth of a ring stand on a rim that gives nothing, and so do those of a rack, whose flanks are straight. Pairs in contact add up.
 
 use super::pair::Mesh;
 use super::toothing::{Toothing, involute};
+use crate::forms::Rim;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Positions over a pitch at which the stiffness is found.
@@ -46,8 +47,8 @@ pub struct Series {
 }
 
 /// One wheel of a pair: its shape, and where the path of contact touches it.
-struct Flank<'t> {
-    toothing: &'t Toothing,
+struct Flank {
+    toothing: Toothing,
     width: f64,
     material: Material,
     /// E of bending and compression: of a plate where the face is wide.
@@ -90,7 +91,7 @@ impl Series {
     }
 }
 
-impl Flank<'_> {
+impl Flank {
     /// Half the angle of the tooth where the pressure angle is α.
     fn half(&self, angle: f64) -> f64 {
         if self.toothing.is_internal() {
@@ -100,9 +101,10 @@ impl Flank<'_> {
         }
     }
 
-    /// Of the tooth alone, 1/N m, touched at a distance ρ from the base tangent point.
+    /// Of the tooth alone, m/N, touched at a distance ρ from the base tangent point; of a rack so far above its line.
     fn compliance(&self, along: f64) -> f64 {
         match self.material.tooth {
+            _ if self.toothing.form.rim == Rim::Rack => self.straight(along),
             Tooth::Section => self.section(along),
             Tooth::Profile => self.profile(along),
         }
@@ -112,9 +114,38 @@ impl Flank<'_> {
         let base = self.toothing.base_radius();
         let (radius, angle) = (libm::hypot(base, along), libm::atan2(along, base));
         let half = self.half(angle);
-        let thickness = 2.0 * radius * libm::sin(half);
-        let height = (radius * libm::cos(half) - self.toothing.root_radius()).abs();
+        self.cantilever(
+            (radius * libm::cos(half) - self.toothing.root_radius()).abs(),
+            2.0 * radius * libm::sin(half),
+        )
+    }
+
+    /// h³/3 E I.
+    fn cantilever(&self, height: f64, thickness: f64) -> f64 {
         4.0 * height.powi(3) / (self.material.young * self.width * thickness.powi(3))
+    }
+
+    /// Of a rack's tooth, half as thick as a pitch at the line and by α thinner on either side above.
+    fn straight(&self, height: f64) -> f64 {
+        let (angle, root) = (self.toothing.pressure_angle, -self.toothing.module * self.toothing.dedendum);
+        let half = |y: f64| 0.25 * PI * self.toothing.module - y * libm::tan(angle);
+        match self.material.tooth {
+            Tooth::Section => self.cantilever(height - root, 2.0 * half(height)),
+            Tooth::Profile => {
+                integral([root, height], |y| self.slice([height, half(height)], angle, [y, half(y)]))
+            }
+        }
+    }
+
+    /// What a slice of half the thickness x at the height y adds where the load acts at a place of the flank, by an angle from across the tooth.
+    fn slice(&self, [height, across]: [f64; 2], load: f64, [y, x]: [f64; 2]) -> f64 {
+        let (sine, cosine) = (libm::sin(load), libm::cos(load));
+        let shear = 0.5 * self.material.young / (1.0 + self.material.poisson);
+        let (area, second) = (2.0 * self.width * x, 2.0 / 3.0 * self.width * x * x * x);
+        let moment = (height - y) * cosine - across * sine;
+        moment * moment / (self.stiffness * second)
+            + 1.2 * cosine * cosine / (shear * area)
+            + sine * sine / (self.stiffness * area)
     }
 
     fn profile(&self, along: f64) -> f64 {
@@ -125,16 +156,8 @@ impl Flank<'_> {
         let (radius, angle) = (libm::hypot(base, along), libm::atan2(along, base));
         let half = self.half(angle);
         let load = angle - inwards * half;
-        let (sine, cosine) = (libm::sin(load), libm::cos(load));
         let (height, across) = (inwards * radius * libm::cos(half), radius * libm::sin(half));
-        let shear = 0.5 * self.material.young / (1.0 + self.material.poisson);
-        let slice = |y: f64, x: f64| {
-            let (area, second) = (2.0 * self.width * x, 2.0 / 3.0 * self.width * x * x * x);
-            let moment = (height - y) * cosine - across * sine;
-            moment * moment / (self.stiffness * second)
-                + 1.2 * cosine * cosine / (shear * area)
-                + sine * sine / (self.stiffness * area)
-        };
+        let slice = |y: f64, x: f64| self.slice([height, across], load, [y, x]);
         // Below the base circle flanks are radial.
         let mut sum = 0.0;
         if !ring && root < base {
@@ -157,7 +180,7 @@ impl Flank<'_> {
     /// cos² α_F/(b E) (L (u/S)² + M u/S + P (1 + Q tan² α_F)).
     fn foundation(&self, load: f64, height: f64, across: f64) -> f64 {
         let root = self.toothing.root_radius();
-        let Body { half, ratio } = Body::of(self.toothing);
+        let Body { half, ratio } = Body::of(&self.toothing);
         let of = |[a, b, c, d, e, f]: [f64; 6]| {
             a / (half * half) + b * ratio * ratio + c * ratio / half + d / half + e * ratio + f
         };
@@ -197,31 +220,36 @@ fn integral([from, to]: [f64; 2], f: impl Fn(f64) -> f64) -> f64 {
 }
 
 /// The stiffness of a pair of wheels at any place along the path of contact.
-pub struct Stiffness<'t> {
-    wheel: Flank<'t>,
-    other: Flank<'t>,
+pub struct Stiffness {
+    wheel: Flank,
+    other: Flank,
     mesh: Mesh,
-    /// a sin α_w.
+    /// a, and a sin α_w.
+    distance: f64,
     tangent: f64,
     contact: f64,
     entry: f64,
 }
 
-impl<'t> Stiffness<'t> {
-    /// Of two wheels, or of a wheel in a ring, the wheel first.
+impl Stiffness {
+    /// Of two wheels, or of a wheel in a ring or on a rack, the wheel first.
     pub fn new(
-        [wheel, other]: [&'t Toothing; 2],
+        [wheel, other]: [Toothing; 2],
         mesh: Mesh,
         distance: f64,
         width: f64,
         material: Material,
     ) -> Self {
         let Material { young, poisson, tooth, .. } = material;
-        let flank = |toothing: &'t Toothing| {
+        let flank = |toothing: Toothing| {
             let half = toothing.half_tooth();
             let inv = involute(toothing.transverse_angle());
             let base_angle = if toothing.is_internal() { half - inv } else { half + inv };
-            let is_wide = tooth == Tooth::Profile && width > 5.0 * 2.0 * toothing.pitch_radius() * half;
+            let thickness = match toothing.form.rim {
+                Rim::Rack => 0.5 * PI * toothing.module,
+                _ => 2.0 * toothing.pitch_radius() * half,
+            };
+            let is_wide = tooth == Tooth::Profile && width > 5.0 * thickness;
             let stiffness = if is_wide { young / (1.0 - poisson * poisson) } else { young };
             Flank { toothing, width, material, stiffness, base_angle }
         };
@@ -232,6 +260,7 @@ impl<'t> Stiffness<'t> {
         Stiffness {
             wheel: flank(wheel),
             other: flank(other),
+            distance,
             tangent: distance * libm::sin(mesh.working_angle.unwrap_or(0.0)),
             contact,
             entry: material.entry,
@@ -241,8 +270,16 @@ impl<'t> Stiffness<'t> {
 
     /// Of one pair of teeth that touch this far from the base tangent point of the wheel.
     pub fn of_one(&self, along: f64) -> f64 {
-        let across =
-            if self.other.toothing.is_internal() { self.tangent + along } else { self.tangent - along };
+        let across = match self.other.toothing.form.rim {
+            Rim::Internal => self.tangent + along,
+            Rim::Rack => {
+                let angle = self.mesh.working_angle.unwrap_or(0.0);
+                self.distance
+                    - self.wheel.toothing.base_radius() * libm::cos(angle)
+                    - along * libm::sin(angle)
+            }
+            Rim::External | Rim::Bevel | Rim::Worm => self.tangent - along,
+        };
         1.0 / (self.wheel.compliance(along) + self.other.compliance(across) + self.contact)
     }
 

@@ -1,9 +1,10 @@
 //! A pair of toothings in words and numbers, for the page and `explain`.
 
-use super::super::Mechanism;
-use super::{Meeting, Mesh, Pair, Toothing};
+use super::super::{Load, Mechanism, fold};
+use super::holding::Orientations;
+use super::{Meeting, Mesh, Pair, Toothing, meshes};
 use crate::forms::Rim;
-use crate::numbers::coordinate;
+use crate::numbers::{coordinate, significant};
 
 /// What is told of a pair.
 #[derive(Clone, Debug)]
@@ -74,6 +75,69 @@ impl Told {
             format!("contact ratio {}{overlap}{locking}", coordinate(self.contact_ratio, 4)),
             turns,
         ]
+    }
+}
+
+/// What is told of teeth that give.
+#[derive(Clone, Debug)]
+pub struct Gives {
+    pub name: String,
+    /// k̄, N/m; none where a law changes it.
+    pub stiffness: Option<f64>,
+    /// m_e, kg; none where nothing that the teeth drive is free.
+    pub mass: Option<f64>,
+    /// The gap along the line of action, m, and along the pitch circle.
+    pub backlash: [f64; 2],
+}
+
+impl Gives {
+    /// Of all loads between teeth.
+    pub fn all(mechanism: &Mechanism) -> Vec<Gives> {
+        let orientations = Orientations::of(mechanism);
+        let told = |load: &Load| {
+            let pair = &mechanism.pairs[load.teeth.as_ref()?.pair];
+            let (_, mesh) = mechanism.mesh_of(pair);
+            let number =
+                |which: usize| fold::evaluate(load.components(which).first()?, &mechanism.defaults());
+            let backlash = number(meshes::BACKLASH).unwrap_or(0.0);
+            Some(Gives {
+                name: load.name.text.clone(),
+                stiffness: number(meshes::STIFFNESS),
+                mass: meshes::reduced_mass(mechanism, &orientations, pair, &mesh),
+                backlash: [backlash, backlash / cosine(mechanism, pair, &mesh)],
+            })
+        };
+        mechanism.loads.iter().filter_map(told).collect()
+    }
+
+    /// √(k̄/m_e)/2π, Hz: of the teeth alone, as if nothing else gave.
+    pub fn hertz(&self) -> Option<f64> {
+        Some(libm::sqrt(self.stiffness? / self.mass?) / std::f64::consts::TAU)
+    }
+
+    /// As cells of a table, with names as they are set there.
+    pub fn cells(&self, set: fn(&str) -> String) -> Vec<String> {
+        let short = |value: f64| significant(value, 6);
+        let mean = self.stiffness.map_or("by a law".to_string(), |k| format!("mean {} N/m", short(k)));
+        let mass = self.mass.map_or(String::new(), |mass| format!("{} kg reduced", short(mass)));
+        let hertz = self.hertz().map_or(String::new(), |hertz| format!("{} Hz by itself", short(hertz)));
+        let [along, around] = self.backlash.map(|gap| coordinate(1e6 * gap, 6));
+        let gap = match self.backlash {
+            [0.0, _] => "no backlash".to_string(),
+            _ => format!("backlash {along} um along the line of action, {around} um along the pitch circle"),
+        };
+        vec![set(&self.name), mean, mass, hertz, gap]
+    }
+}
+
+/// How much of a way along the pitch circles is one along the line of action.
+fn cosine(mechanism: &Mechanism, pair: &Pair, mesh: &Mesh) -> f64 {
+    match (pair.meeting, &pair.touch) {
+        (Meeting::Worm, Some(touch)) => {
+            let screw = mechanism.toothing(pair.on[1 - pair.wheel]);
+            2.0 * touch.radius / screw.module
+        }
+        _ => libm::cos(mesh.working_angle.unwrap_or(0.0)),
     }
 }
 

@@ -26,7 +26,7 @@ pub struct Toothing {
     pub teeth: f64,
     /// m, of the normal section, of a worm along its axis.
     pub module: f64,
-    /// α, likewise.
+    /// α, of the normal section.
     pub pressure_angle: f64,
     /// β.
     pub helix: f64,

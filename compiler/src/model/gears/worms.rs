@@ -5,7 +5,8 @@
 //! h z₁ (θ₁ − ψ₁) + s z₂ (θ₂ − ψ₂) = π − 2 ζ/m + 2πk, s = (a₂ × −n)·a₁, ψ the directions n and −n, ζ the way along a₁ from the worm's centre to the wheel's
 //! (Litvin & Fuentes, Gear Geometry and Applied Theory, 2004, chapter 19).
 
-use super::vector::{cross, difference, dot, length, scaled};
+use super::pair::Touch;
+use super::vector::{along, cross, difference, dot, length, scaled};
 use super::{Coupled, Wheels, about_axes, collected, times};
 use crate::messages;
 use std::f64::consts::PI;
@@ -56,7 +57,24 @@ pub fn couple(wheels: &Wheels, worm: usize) -> Result<Coupled, String> {
     let factors = [first * hand * screw.teeth, first * side * wheel.teeth];
     let shifted = PI - 2.0 * dot(way, a) / screw.module;
     let constant = first * shifted + factors[0] * turned + factors[1] * opposite;
-    let terms = times(factors[0], of_screw).chain(times(factors[1], of_wheel));
+    let terms = times(factors[0], of_screw.clone()).chain(times(factors[1], of_wheel.clone()));
+    // In the wheel's middle plane threads are a rack, at its pitch circle as steep as a screw is there: their normal goes back along the axis, around it and outwards.
+    let radius = distance - wheel.pitch_radius();
+    let steep = 0.5 * screw.teeth * screw.module / radius;
+    let slope = libm::tan(wheel.transverse_angle());
+    let axial = 1.0 / libm::sqrt(1.0 + steep * steep + slope * slope);
+    let around = along(scaled(-1.0, a), hand * steep, cross(a, normal));
+    let touch = Touch {
+        from: 1,
+        at: scaled(wheel.pitch_radius(), back),
+        push: scaled(first * axial, around),
+        part: scaled(axial * slope, normal),
+        radius: 0.5 * screw.module * axial,
+    };
+    let in_order = |[of_screw, of_wheel]: [f64; 2]| {
+        if worm == 0 { [of_screw, of_wheel] } else { [of_wheel, of_screw] }
+    };
+    let turns = if worm == 0 { [of_screw, of_wheel] } else { [of_wheel, of_screw] };
     Ok(Coupled {
         carrier,
         between: [distance, 0.0],
@@ -65,6 +83,11 @@ pub fn couple(wheels: &Wheels, worm: usize) -> Result<Coupled, String> {
         constant,
         axes: None,
         beside: 0.0,
-        turns: [Vec::new(), Vec::new()],
+        axles: Some(if worm == 0 { [a, b] } else { [b, a] }),
+        turns,
+        first: in_order([screw.first, wheel.first]),
+        psi: in_order([angle(a, normal), angle(b, back)]),
+        side: in_order(factors.map(f64::signum)),
+        touch: Some(if worm == 0 { touch } else { touch.reversed() }),
     })
 }
