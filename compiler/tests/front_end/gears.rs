@@ -4,7 +4,7 @@ use crate::{good, warnings};
 use linkwright_compiler::compile;
 use linkwright_compiler::model::Mechanism;
 use linkwright_compiler::model::gears::stiffness::{Material, Stiffness, Tooth};
-use linkwright_compiler::model::gears::{Mesh, Told};
+use linkwright_compiler::model::gears::{Gives, Mesh, Told};
 
 /// Two wheels on the ground, with these toothings, `apart` mm from each other.
 fn wheels(first: &str, second: &str, apart: &str, rest: &str) -> String {
@@ -287,7 +287,7 @@ fn stiffness(sun: &str, tooth: Tooth, then: impl Fn(&Stiffness)) {
     let pair = &mechanism.pairs[0];
     let (toothings, mesh) = mechanism.mesh_of(pair);
     let material = Material { young: 2.1e11, poisson: 0.3, tooth, harmonics: 3, entry: 0.0 };
-    then(&Stiffness::new(toothings, mesh, pair.distance(), 5e-3, material));
+    then(&Stiffness::new(toothings.map(Clone::clone), mesh, pair.distance(), 5e-3, material));
 }
 
 const SUN: &str = "external(teeth = 12, module [mm] = 1, bore [mm] = 4)";
@@ -489,9 +489,23 @@ fn mistakes_of_racks_cones_and_worms() {
         (
             plane(PLAIN, RACK).replace(
                 "gear drive: gear(pinion.rim, bar.teeth)",
-                "mesh drive: mesh(pinion.rim, bar.teeth, stiffness [N/m] = 1e8)",
+                "mesh drive: mesh(pinion.rim, bar.teeth, stiffness [N/m] = 1e8, axes = moving)",
             ),
-            "a mesh that gives is one of wheels and rings: of `pinion.rim` and `bar.teeth` write `gear(pinion.rim, bar.teeth)`",
+            "axes move between wheels and rings, and of `pinion.rim` and `bar.teeth` one is neither",
+        ),
+        (
+            plane(PLAIN, RACK).replace(
+                "gear drive: gear(pinion.rim, bar.teeth)",
+                "mesh drive: mesh(pinion.rim, bar.teeth, stiffness = involute(young [GPa] = 210))",
+            ),
+            "neither `pinion.rim` nor `bar.teeth` says how wide",
+        ),
+        (
+            worm(WORM, WHEEL).replace(
+                "gear drive: gear(one.rim, two.rim)",
+                "mesh drive: mesh(one.rim, two.rim, stiffness = involute(young [GPa] = 210))",
+            ),
+            "`involute(…)` is the stiffness of involute teeth, and of `one.rim` and `two.rim` one has threads",
         ),
         (
             cones(PLAIN, SMALL),
@@ -634,4 +648,31 @@ fn contact_of_racks_and_cones() {
     assert!(miter("13", "13").is_empty(), "{:?}", miter("13", "13"));
     let found = miter("11", "11");
     assert!(found[0].contains("with 11 teeth on its cone it is like a spur gear of 15.556"), "{found:?}");
+}
+
+/// z 50/50 of 3 mm with 0.0075 kg m² each: r_b = 70.477 mm, m_e = I/(2 r_b²) = 0.7550 kg, 3663 Hz on 4e8 N/m; along the pitch circle a gap is wider by 1/cos α. On a rack 1/(r_b²/I + cos² α/M).
+#[test]
+fn teeth_by_themselves() {
+    let pair = "planar Pair { body one { mass [kg] = 1; inertia [kg*m^2] = 0.0075; toothing rim: external(teeth = 50, module [mm] = 3); }
+        body two { mass [kg] = 1; inertia [kg*m^2] = 0.0075; toothing rim: external(teeth = 50, module [mm] = 3); }
+        joint a: revolute(ground(0, 0), one.center); joint b: revolute(ground(150, 0) [mm], two.center);
+        mesh teeth: mesh(one.rim, two.rim, stiffness [N/m] = 4e8, backlash [um] = 40); }";
+    let of = |source: &str| Gives::all(&good(source)).remove(0);
+    let (cosine, gives) = (20.0_f64.to_radians().cos(), of(pair));
+    let base = 75e-3 * cosine;
+    near(gives.mass.expect("two wheels"), 0.0075 / (2.0 * base * base), 1e-12);
+    near(gives.hertz().expect("a number"), 3663.0, 2e-4);
+    near(gives.backlash[1], 40e-6 / cosine, 1e-12);
+    let by_time = pair.replace("stiffness [N/m] = 4e8", "stiffness = 4e8 [N/m]*(1 + 0.1*cos(one.angle))");
+    assert!(of(&by_time).stiffness.is_none() && of(&by_time).hertz().is_none());
+    let rack = rack(PLAIN, RACK, "20", "(1, 0)").replace("gear drive: gear(", "mesh drive: mesh(");
+    let gives = of(&rack.replace("bar.teeth);", "bar.teeth, stiffness [N/m] = 1e8);"));
+    let pinion = (20e-3 * cosine).powi(2) / (0.5 * 1.0 * 20e-3 * 20e-3);
+    near(gives.mass.expect("a pinion and a bar"), 1.0 / (pinion + cosine * cosine / 1.0), 1e-12);
+    let worm = crossed(WORM, "0, 0, 0", WHEEL, "0, 50, 0", "(0, 0, 1)").replace(
+        "gear drive: gear(one.rim, two.rim)",
+        "mesh drive: mesh(one.rim, two.rim, stiffness [N/m] = 1e8, backlash [um] = 10)",
+    );
+    // The normal of its threads is cos α cos γ along the axis: 20 degrees, tan γ = 0.1.
+    near(of(&worm).backlash[1], 10e-6 / (cosine * 0.1_f64.atan().cos()), 1e-12);
 }

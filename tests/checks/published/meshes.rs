@@ -4,6 +4,7 @@ use super::Worst;
 use linkwright::{Mechanism, Simulation, Variables, retract};
 use linkwright_compiler::compile;
 use linkwright_compiler::model::gears::meshes;
+use linkwright_compiler::schedule::{Function, count};
 use linkwright_models::gear_pair::{
     GearPair, GearPairInputs, GearPairOscillator, GearPairOscillatorParameters,
 };
@@ -173,4 +174,61 @@ fn turns_without_number() {
     let later = model.outputs(0.0, &state, &inputs);
     assert!((later.deflection - first.deflection).abs() < 1e-14, "{} {}", later.deflection, first.deflection);
     assert_eq!(later.stiffness, first.stiffness);
+}
+
+/// A mesh with three harmonics, a gap and an error, of so many teeth.
+fn force_of(teeth: u32) -> String {
+    let axes = 1.5 * f64::from(teeth + 50);
+    format!(
+        "planar Pair {{ body one {{ mass [kg] = 1; inertia [kg*m^2] = 0.01; #[allow(teeth)] toothing rim: external(teeth = {teeth}, module [mm] = 3, face_width [mm] = 20); }}
+         body two {{ mass [kg] = 1; inertia [kg*m^2] = 0.01; toothing rim: external(teeth = 50, module [mm] = 3, face_width [mm] = 20); }}
+         joint front: revolute(ground(0, 0), one.center); joint back: revolute(ground({axes}, 0) [mm], two.center);
+         #[allow(teeth)]
+         mesh teeth: mesh(one.rim, two.rim, stiffness = involute(young [GPa] = 210, harmonics = 3), damping [N*s/m] = 60, backlash [um] = 40, error = 2e-6 [m]*cos(one.angle));
+         options {{ coordinates = tree; }} output force [N] = teeth.force; }}"
+    )
+}
+
+/// Within a hundred operations, whole turns and all.
+#[test]
+fn operations_of_a_mesh() {
+    for teeth in [17, 50, 136, 137] {
+        let compiled = compile(force_of(teeth).parse().expect("tokens"), None).expect("a pair");
+        let counts = count(compiled.programs.get(Function::Outputs));
+        println!("{teeth} teeth: {} operations", counts.total());
+        assert!((30..=100).contains(&counts.total()), "{teeth} teeth take {} operations", counts.total());
+    }
+}
+
+linkwright::mechanism! {
+    /// The stiffness over a pitch by a table, and by the wave whose values the table has.
+    planar PairByTable {
+        table k(turn [rad]) [N/m] = [(0, 2e8), (0.7853981633974483, 1.7071067811865475e8), (1.5707963267948966, 1e8), (2.356194490192345, 0.29289321881345254e8), (3.141592653589793, 0),
+            (3.9269908169872414, 0.29289321881345254e8), (4.71238898038469, 1e8), (5.497787143782138, 1.7071067811865475e8), (6.283185307179586, 2e8)], periodic;
+        body one { mass [kg] = 1; inertia [kg*m^2] = 0.01; toothing rim: external(teeth = 50, module [mm] = 3); }
+        body two { mass [kg] = 1; inertia [kg*m^2] = 0.01; toothing rim: external(teeth = 50, module [mm] = 3); }
+        joint front: revolute(ground(0, 0), one.center);
+        joint back:  revolute(ground(150, 0) [mm], two.center);
+        mesh teeth: mesh(one.rim, two.rim, stiffness = k(50*one.angle), backlash [um] = 10);
+        start { front.rate [rad/s] = 3; }
+        output stiffness [N/m] = teeth.stiffness;
+        output angle [rad] = one.angle;
+    }
+}
+
+/// A table over the phase repeats itself from tooth to tooth, and lies by its spline beside 1e8 (1 + cos zθ).
+#[test]
+fn stiffness_by_a_table() {
+    let model = PairByTable::<f64>::default();
+    let mut simulation = Simulation::new(&model, PairByTable::START).step(1e-4);
+    let (mut worst, mut least, mut most) = (Worst::default(), f64::INFINITY, 0.0_f64);
+    for _ in 0..1500 {
+        simulation.advance().expect("wheels turn");
+        let outputs = model.outputs(simulation.time(), simulation.state(), &());
+        worst.see(outputs.stiffness / 1e8, 1.0 + (50.0 * outputs.angle).cos());
+        (least, most) = (least.min(outputs.stiffness), most.max(outputs.stiffness));
+    }
+    assert!(least < 1e6 && most > 1.99e8, "{least} to {most}");
+    // The cubic spline with eight knots over a period: (π/4)⁴ 5/384 at most.
+    worst.below(5e-3, "stiffness by a table, 1e8 N/m");
 }

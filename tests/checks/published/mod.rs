@@ -29,6 +29,7 @@ mod shafts;
 mod space;
 mod states;
 mod teeth_on_bearings;
+mod teeth_press;
 mod vehicles;
 
 use linkwright::{Assemble, Baumgarte, Sample, SimulationError, StateOf};
