@@ -42,7 +42,7 @@ pub fn page(compiled: &Compiled) -> String {
     beams::beams(&mut page, compiled);
     tables::joints(&mut page, compiled);
     tables::couplings(&mut page, compiled);
-    tables::teeth_that_mesh(&mut page, compiled);
+    teeth::tables(&mut page, compiled);
     teeth::pictures(&mut page, compiled);
     tables::loads(&mut page, compiled);
     tables::settings(&mut page, compiled);

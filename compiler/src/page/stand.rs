@@ -9,13 +9,11 @@ use crate::complete::Complete;
 use crate::drawing::Hinge;
 use crate::drawing::load::End;
 use crate::drawing::vector::{Point, apply, cross, difference, dot, length, pad, sum, unit};
-use crate::equations::loads::teeth::of_teeth;
 use crate::equations::{Equations, Laws, space};
 use crate::forms::Spans;
 use crate::model::gears::ToothingId;
 use crate::model::{
-    Axes, Body, ConstraintKind, Coupled, Expr, Frame, Joint, Load, OfTeeth, Place, Rotor, Space, Subject,
-    Vector,
+    Axes, Body, ConstraintKind, Coupled, Expr, Frame, Joint, Load, Place, Rotor, Space, Subject, Vector,
 };
 use crate::symbolic::{Growing, Node, Op, evaluate_reachable};
 
@@ -121,19 +119,11 @@ impl<'a> Stand<'a> {
     }
 
     /// Values of what is built on the graph.
-    fn built(&mut self, build: impl FnOnce(&Laws) -> Vec<Node>) -> Vec<f64> {
+    pub(super) fn built(&mut self, build: impl FnOnce(&Laws) -> Vec<Node>) -> Vec<f64> {
         let Compiled { mechanism, complete: Complete { equations, .. }, .. } = self.compiled;
         let Equations { symbols, layout, kinematics, .. } = equations;
         let nodes = build(&Laws::moving(self.graph.sheet(), mechanism, symbols, layout, kinematics));
         self.numbers(&nodes)
-    }
-
-    /// The phases of all loads between teeth, of a pitch.
-    pub fn phases(&mut self) -> Vec<f64> {
-        self.built(|laws| {
-            let loads = laws.mechanism.loads.iter().filter(|load| load.teeth.is_some());
-            loads.map(|load| of_teeth(laws, load, OfTeeth::Phase).bare).collect()
-        })
     }
 
     pub(super) fn vector(&mut self, vector: &Vector) -> Point {

@@ -1,19 +1,17 @@
 //! What a mechanism consists of, as tables: parts, bodies, joints, couplings, drivers, loads, parameters, inputs, outputs,
 //! coordinates and where they start, constraint rows.
 
-use super::stand::{Pose, Stand};
 use super::table::{Table, code};
 use super::text::decimal;
 use crate::compiled::Compiled;
 use crate::equations::conditions;
 use crate::equations::coordinates::rotor_name;
 use crate::forms::Law;
-use crate::model::gears::{Gives, Pair, Told};
+use crate::model::gears::Pair;
 use crate::model::{
     Body, ConstraintKind, Coupled, Expr, Frame, JointId, Load, LoadId, Mechanism, Name, Rotor, Space,
     Subject, Vector, fold,
 };
-use crate::numbers;
 use std::collections::BTreeSet;
 
 pub fn bodies(page: &mut String, compiled: &Compiled) {
@@ -157,38 +155,6 @@ fn teeth(mechanism: &Mechanism, pair: &Pair) -> String {
     let terms: Vec<String> = pair.terms.iter().map(term).chain(pair.travels.iter().map(travel)).collect();
     let held = if pair.follows.is_some() { "; the pairs before it hold it already" } else { "" };
     format!("{} = const{held}", terms.join(" + ").replace("+ -", "− "))
-}
-
-/// Pairs of toothings, whether they are held by a constraint or a load.
-pub fn teeth_that_mesh(page: &mut String, compiled: &Compiled) {
-    let mechanism = &compiled.mechanism;
-    let mut table = Table::new(&["pair", "of", "teeth", "axes", "contact", "meeting"]);
-    for pair in &mechanism.pairs {
-        table.row(Told::of(mechanism, pair).cells(code));
-    }
-    table.write(page, "Teeth");
-    let mut table = Table::new(&["mesh", "stiffness", "mass", "frequency", "gap", "phase at the start"]);
-    let phases = Stand::of(compiled, &Pose::start(compiled)).phases();
-    for (gives, phase) in Gives::all(mechanism).iter().zip(phases) {
-        let mut cells = gives.cells(code);
-        cells.push(format!("{} of a pitch", numbers::coordinate(phase, 4)));
-        table.row(cells);
-    }
-    table.write(page, "Teeth that give");
-    let mut table =
-        Table::new(&["mesh", "stiffness over a pitch, N/m", "left out by the series, rms", "largest step"]);
-    for load in &mechanism.loads {
-        let Some(series) = load.teeth.as_ref().and_then(|teeth| teeth.series.as_ref()) else { continue };
-        let waves: Vec<String> = series.waves.iter().map(|[a, b]| decimal(a.hypot(*b))).collect();
-        let percent = |part: f64| format!("{} %", decimal(100.0 * part));
-        table.row(vec![
-            code(&load.name.text),
-            format!("{}, waves of {}", decimal(series.mean), waves.join(", ")),
-            percent(series.left_out),
-            percent(series.step),
-        ]);
-    }
-    table.write(page, "Stiffness of teeth");
 }
 
 pub fn loads(page: &mut String, compiled: &Compiled) {

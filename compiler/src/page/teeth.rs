@@ -1,11 +1,17 @@
-//! Pairs of toothings as pictures: teeth in mesh with their circles and the line of action, the stiffness over a pitch, and how many pairs touch.
+//! Pairs of toothings as tables and pictures: teeth in mesh with their circles and the line of action, the stiffness over a pitch, and how many pairs touch.
 
 use super::figure::{escaped, number};
 use super::plot::{Line, Plot};
+use super::stand::{Pose, Stand};
+use super::table::{Table, code};
+use super::text::decimal;
 use crate::compiled::Compiled;
 use crate::drawing::canvas::ACCENT;
+use crate::equations::loads::teeth::of_teeth;
+use crate::model::OfTeeth;
 use crate::model::gears::meshes;
-use crate::model::gears::{Meeting, Mesh, Pair, Toothing, involute};
+use crate::model::gears::{Gives, Meeting, Mesh, Pair, Told, Toothing, involute};
+use crate::numbers;
 use std::fmt::Write;
 
 /// Side of a close-up, px, and what it shows: modules to each side of the pitch point, or the path of contact and so much of it.
@@ -18,6 +24,46 @@ const TEETH: i32 = 3;
 const PLACES: i32 = 8;
 /// Places over a pitch.
 const POSITIONS: usize = 200;
+
+/// Pairs of toothings, whether they are held by a constraint or a load.
+pub fn tables(page: &mut String, compiled: &Compiled) {
+    let mechanism = &compiled.mechanism;
+    let mut table = Table::new(&["pair", "of", "teeth", "axes", "contact", "meeting"]);
+    for pair in &mechanism.pairs {
+        table.row(Told::of(mechanism, pair).cells(code));
+    }
+    table.write(page, "Teeth");
+    let mut table = Table::new(&["mesh", "stiffness", "mass", "frequency", "gap", "phase at the start"]);
+    let phases = phases(compiled);
+    for (gives, phase) in Gives::all(mechanism).iter().zip(phases) {
+        let mut cells = gives.cells(code);
+        cells.push(format!("{} of a pitch", numbers::coordinate(phase, 4)));
+        table.row(cells);
+    }
+    table.write(page, "Teeth that give");
+    let mut table =
+        Table::new(&["mesh", "stiffness over a pitch, N/m", "left out by the series, rms", "largest step"]);
+    for load in &mechanism.loads {
+        let Some(series) = load.teeth.as_ref().and_then(|teeth| teeth.series.as_ref()) else { continue };
+        let waves: Vec<String> = series.waves.iter().map(|[a, b]| decimal(a.hypot(*b))).collect();
+        let percent = |part: f64| format!("{} %", decimal(100.0 * part));
+        table.row(vec![
+            code(&load.name.text),
+            format!("{}, waves of {}", decimal(series.mean), waves.join(", ")),
+            percent(series.left_out),
+            percent(series.step),
+        ]);
+    }
+    table.write(page, "Stiffness of teeth");
+}
+
+/// Of all loads between teeth at the start, of a pitch.
+fn phases(compiled: &Compiled) -> Vec<f64> {
+    Stand::of(compiled, &Pose::start(compiled)).built(|laws| {
+        let loads = laws.mechanism.loads.iter().filter(|load| load.teeth.is_some());
+        loads.map(|load| of_teeth(laws, load, OfTeeth::Phase).bare).collect()
+    })
+}
 
 /// Close-ups of all pairs, and the curves of those whose stiffness follows from their shape.
 pub fn pictures(page: &mut String, compiled: &Compiled) {
