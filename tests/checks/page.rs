@@ -211,3 +211,53 @@ fn nothing_is_a_link_or_a_test(text: &str) {
     }
     assert!(!is_fenced, "every fence is closed");
 }
+
+/// Each pair is drawn close up, with a line of action that touches both base circles, and its stiffness and pairs over a pitch as curves.
+#[test]
+fn teeth_are_drawn() {
+    let page = page(&compiled::<linkwright_models::planetary_stage::PlanetaryStage>(None));
+    for line in [
+        "# Teeth that give",
+        "# Stiffness of teeth",
+        "Hz by itself",
+        "of a pitch |",
+        "Broken lines are the series",
+    ] {
+        assert!(page.contains(line), "{line}");
+    }
+    let drawings = drawings(&page);
+    let titled = |title: &str| -> &str {
+        let found: Vec<&&str> =
+            drawings.iter().filter(|svg| svg.contains(&format!("<title>{title}"))).collect();
+        assert_eq!(found.len(), 1, "{title}");
+        found[0]
+    };
+    for mesh in ["inner", "outer"] {
+        titled(&format!("{mesh}, stiffness"));
+        titled(&format!("{mesh}, pairs that touch"));
+        let close_up = titled(&format!("{mesh}: teeth of"));
+        let value = |element: &str, name: &str| -> f64 {
+            let text = element.split(&format!(" {name}=\"")).nth(1).and_then(|rest| rest.split('"').next());
+            text.and_then(|text| text.parse().ok()).unwrap_or_else(|| panic!("{name} of {element}"))
+        };
+        let of = |mark: &str, start: &str| -> Vec<&str> {
+            close_up.lines().filter(|line| line.starts_with(start) && line.contains(mark)).collect()
+        };
+        let bases = of("stroke-dasharray=\"1 3\"", "<circle");
+        assert_eq!((bases.len(), of("stroke-dasharray=\"9 3 2 3\"", "<circle").len()), (2, 2), "{close_up}");
+        let [line] = of("stroke-width=\"0.8\"", "<path")[..] else { panic!("{close_up}") };
+        let places = line.split(" d=\"M").nth(1).and_then(|rest| rest.split('"').next()).expect("a path");
+        let numbers: Vec<f64> =
+            places.split([' ', 'L']).map(|part| part.parse().expect("a number")).collect();
+        let [x1, y1, x2, y2] = numbers[..] else { panic!("{places}") };
+        let (along, across) = (x2 - x1, y2 - y1);
+        for base in bases {
+            let (x, y) = (value(base, "cx") - x1, value(base, "cy") - y1);
+            let distance = (along * y - across * x).abs() / along.hypot(across);
+            assert!(
+                (distance / value(base, "r") - 1.0).abs() < 2e-3,
+                "{mesh}: {distance} in place of {base}"
+            );
+        }
+    }
+}

@@ -157,8 +157,8 @@ fn three_planets_by_hand() {
     let compiled = compile(StageOfThree::<f64>::SOURCE.parse().expect("tokens"), None).expect("a stage");
     let took = began.elapsed();
     println!("expanded in {took:?}");
-    // 0.1 s on a machine by itself without optimisation; many times that says that something has grown.
-    assert!(took.as_secs_f64() < 3.0, "expanded in {took:?}");
+    // Without optimisation, 0.04 s on a machine that is busy.
+    assert!(took.as_secs_f64() < 0.3, "expanded in {took:?}");
     let mechanism = &compiled.mechanism;
     let shapes: Vec<_> =
         mechanism.loads.iter().filter_map(|load| meshes::by_shape(mechanism, load)).collect();
