@@ -17,7 +17,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 const POSITIONS: usize = 256;
 /// Strips of a tooth, by Simpson's rule.
-const STRIPS: usize = 200;
+const STRIPS: usize = 400;
 
 impl Reader<'_> {
     pub(super) fn mesh(&self, node: &Value, own: &str) -> Read<Acts> {
