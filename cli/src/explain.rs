@@ -5,6 +5,7 @@ use crate::motion;
 use crate::start;
 use linkwright_compiler::beams::RK4;
 use linkwright_compiler::check::motion::Reflected;
+use linkwright_compiler::check::{self, Strain};
 use linkwright_compiler::counts::Row;
 use linkwright_compiler::equations::conditions;
 use linkwright_compiler::model::gears::{self, Gives, Told};
@@ -50,6 +51,13 @@ pub struct Mode {
     pub step: f64,
 }
 
+/// What a beam is like where the theory ends, for the default parameters and no inputs: [`Strain`].
+#[derive(Clone, Debug)]
+pub struct Beam {
+    pub name: String,
+    pub strain: Strain,
+}
+
 /// A joint between two places.
 #[derive(Clone, Debug)]
 pub struct Joint {
@@ -76,6 +84,7 @@ pub struct Explanation {
     pub states: Vec<Value>,
     pub bodies: Vec<Body>,
     pub modes: Vec<Mode>,
+    pub beams: Vec<Beam>,
     pub joints: Vec<Joint>,
     /// Name and kind of couplings and drivers.
     pub couplings: Vec<[String; 2]>,
@@ -185,6 +194,7 @@ pub fn explain(definition: &Definition, compiled: &Compiled) -> Explanation {
         states: state.internal,
         bodies: state.bodies,
         modes: modes(mechanism),
+        beams: beams(compiled),
         joints: joints(compiled),
         couplings: couplings(mechanism),
         teeth: mechanism.pairs.iter().map(|pair| Told::of(mechanism, pair)).collect(),
@@ -253,6 +263,12 @@ fn joints(compiled: &Compiled) -> Vec<Joint> {
 fn modes(mechanism: &Mechanism) -> Vec<Mode> {
     let modes = mechanism.modes().into_iter();
     modes.map(|(name, rate)| Mode { name, hertz: rate / std::f64::consts::TAU, step: RK4 / rate }).collect()
+}
+
+fn beams(compiled: &Compiled) -> Vec<Beam> {
+    let Compiled { mechanism, complete, assembly, .. } = compiled;
+    let strains = check::strains(mechanism, &complete.equations, &complete.solved, assembly).into_iter();
+    strains.map(|strain| Beam { name: mechanism.bodies[strain.body.0].name.text.clone(), strain }).collect()
 }
 
 fn couplings(mechanism: &Mechanism) -> Vec<[String; 2]> {

@@ -1,9 +1,10 @@
 //! Results for machines: one object, versioned, described in `docs/command-line.md`.
 
 use crate::arguments::Command;
-use crate::explain::{Explanation, MeshOf, Mode, Value as Quantity};
+use crate::explain::{Beam, Explanation, MeshOf, Mode, Value as Quantity};
 use crate::input::Found;
 use linkwright_compiler::Repetition;
+use linkwright_compiler::check::Strain;
 use linkwright_compiler::check::motion::Reflected;
 use linkwright_compiler::counts::Row;
 use linkwright_compiler::diagnostics::Severity;
@@ -143,6 +144,9 @@ pub fn explanation(e: &Explanation) -> Value {
     if !e.gives.is_empty() {
         object["teeth_that_give"] = e.gives.iter().map(gives).collect();
     }
+    if !e.beams.is_empty() {
+        object["beams"] = e.beams.iter().map(beam).collect();
+    }
     if !e.meshes.is_empty() {
         object["meshes"] = e.meshes.iter().map(mesh).collect();
     }
@@ -154,6 +158,18 @@ pub fn explanation(e: &Explanation) -> Value {
     }
     if !e.tables.is_empty() {
         object["tables"] = named(&e.tables);
+    }
+    object
+}
+
+fn beam(of: &Beam) -> Value {
+    let Strain { slenderness, rate, natural, pressed, .. } = &of.strain;
+    let mut object = json!({
+        "name": of.name, "radii_of_gyration": slenderness, "rate_rad_s": rate, "clamped_rad_s": natural
+    });
+    if let Some([thrust, euler]) = pressed {
+        object["thrust_N"] = json!(thrust);
+        object["euler_N"] = json!(euler);
     }
     object
 }

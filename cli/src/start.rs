@@ -87,7 +87,10 @@ pub fn state(definition: &Definition, compiled: &Compiled) -> State {
 fn asked(definition: &Definition, mechanism: &Mechanism) -> Vec<Asked> {
     let mut asked: Vec<Asked> = Vec::new();
     for start in &mechanism.start {
-        let written = definition.start.iter().find(|written| written.quantity.text == start.text);
+        // A mode at rest is not written.
+        let is_rest =
+            start.rate && matches!(start.coordinate, Coordinate::Mode(..)) && !start.text.ends_with(".rate");
+        let written = definition.start.iter().find(|written| !is_rest && written.quantity.text == start.text);
         let own = written.and_then(|written| written.entry.unit.as_ref()).map(|unit| &unit.unit);
         let unit = own.map_or_else(
             || {
@@ -97,7 +100,8 @@ fn asked(definition: &Definition, mechanism: &Mechanism) -> Vec<Asked> {
             |unit| (unit.text.clone(), unit.scale),
         );
         let given = if start.exact { Given::Stated } else { Given::Guessed };
-        let (name, coordinate) = (start.text.clone(), start.coordinate.clone());
+        let coordinate = start.coordinate.clone();
+        let name = if is_rest { format!("{}.rate", start.text) } else { start.text.clone() };
         asked.push(Asked { name, coordinate, rate: start.rate, given, unit });
     }
     for (index, joint) in mechanism.joints.iter().enumerate() {

@@ -1,7 +1,8 @@
 //! An explanation for people.
 
-use crate::explain::{Explanation, Joint, MeshOf, Value};
+use crate::explain::{Beam, Explanation, Joint, MeshOf, Value};
 use crate::start::Found;
+use linkwright_compiler::check::Strain;
 use linkwright_compiler::check::motion::Reflected;
 use linkwright_compiler::counts;
 use linkwright_compiler::numbers::coordinate;
@@ -37,6 +38,7 @@ pub fn explanation(e: &Explanation, place: &str) -> String {
         vec![mode.name.clone(), format!("{} Hz", number(mode.hertz)), step]
     });
     table(&mut text, "Modes by themselves", modes.collect());
+    table(&mut text, "Beams at the start, against what they take", e.beams.iter().map(beam).collect());
     table(&mut text, "Joints", e.joints.iter().map(|joint| self::joint(e, joint)).collect());
     table(&mut text, "Couplings and drivers", e.couplings.iter().map(|one| one.to_vec()).collect());
     table(&mut text, "Teeth", e.teeth.iter().map(|pair| pair.cells(str::to_string)).collect());
@@ -67,6 +69,20 @@ pub fn explanation(e: &Explanation, place: &str) -> String {
 fn value(value: &Value) -> Vec<String> {
     let unit = if value.unit == "1" { "" } else { &value.unit };
     vec![value.name.clone(), format!("= {} {unit}", number(value.value))]
+}
+
+/// Length in radii of gyration, rate across the axis, thrust: what the warnings `slender` and `stiffening` judge.
+fn beam(of: &Beam) -> Vec<String> {
+    let Strain { slenderness, rate, natural, pressed, .. } = &of.strain;
+    let pressed = pressed.map_or(String::new(), |[thrust, euler]| {
+        format!("pressed with {} N, Euler's load {} N", number(thrust), number(euler))
+    });
+    vec![
+        of.name.clone(),
+        format!("{} radii of gyration long", number(*slenderness)),
+        format!("turns at {} rad/s, clamped frequency {} rad/s", number(*rate), number(*natural)),
+        pressed,
+    ]
 }
 
 fn joint(e: &Explanation, joint: &Joint) -> Vec<String> {

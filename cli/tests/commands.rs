@@ -438,3 +438,26 @@ fn formats_that_are_not_written() {
         assert!(err.contains(message), "{err}");
     }
 }
+
+/// What the warnings of beams judge, and rates of modes by their names.
+#[test]
+fn beams_are_explained() {
+    let text = b"planar Column { gravity [m/s^2] = (-10, 0);
+        beam rod { length [m] = 2; section = rectangle(height [mm] = 10, width [mm] = 30); young [GPa] = 200; mass [kg] = 3; modes = (bending = 1);
+                   shapes = clamped; }
+        joint foot: fixed(ground(0, 0) [m], rod.start); start { rod.bending[0] [mm] = 1; } }";
+    let found = run(&["explain", "-"], text);
+    for expected in [
+        "Beams at the start, against what they take (1)",
+        "  rod  692.82 radii of gyration long  turns at 0 rad/s, clamped frequency 16.0483 rad/s  pressed with 30 N, Euler's load 308.425 N",
+        "  rod.bending[0]       = 1 mm   stated",
+        "  rod.bending[0].rate  = 0 m/s  stated",
+    ] {
+        assert!(found.out.contains(expected), "{}", found.out);
+    }
+    let found = run(&["explain", "--json", "-"], text);
+    let found: Value = serde_json::from_str(&found.out).expect("the answer is JSON");
+    let beam = &found["mechanisms"][0]["explanation"]["beams"][0];
+    assert_eq!(beam["name"], "rod", "{found}");
+    assert!((beam["thrust_N"].as_f64().expect("a number") - 30.0).abs() < 1e-9, "{beam}");
+}

@@ -58,7 +58,7 @@ SETTINGS = {
 }
 
 # What is shown at its start: their vibrations are what they are for, and these would not be seen.
-AT_REST = ["gear_pair_oscillator", "planetary_stage_held", "hinged_bar", "hinged_bar_of_sines"]
+AT_REST = ["gear_pair_oscillator", "planetary_stage_held", "hinged_bar", "hinged_bar_of_one", "hinged_bar_of_five", "hinged_bar_of_sines"]
 
 # Where a model's file stands on the page: the first section whose list has it.
 SECTIONS = [

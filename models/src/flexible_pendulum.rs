@@ -44,6 +44,34 @@ linkwright::mechanism! {
 }
 
 linkwright::mechanism! {
+    /// The same bar with one mode, whose first frequency is 1.4 % too high.
+    pub planar HingedBarOfOne {
+        beam bar { length [mm] = 350; section = circle(diameter [mm] = 7); young [GPa] = 207; density [kg/m^3] = 7801;
+                   modes = (bending = 1); }
+        joint left:  revolute(ground(0, 0) [m], bar.start);
+        joint right: point_on_line(line(ground(0, 0) [m], ground(1, 0) [m]), bar.end);
+        start   { bar.angle [rad] ~ 0; }
+        options { emit = (tangent); }
+        expect  { degrees_of_freedom = 1; }
+        output middle [mm] = bar.center.y;
+    }
+}
+
+linkwright::mechanism! {
+    /// The same bar with five modes, whose first frequency is 0.1 % too high.
+    pub planar HingedBarOfFive {
+        beam bar { length [mm] = 350; section = circle(diameter [mm] = 7); young [GPa] = 207; density [kg/m^3] = 7801;
+                   modes = (bending = 5); }
+        joint left:  revolute(ground(0, 0) [m], bar.start);
+        joint right: point_on_line(line(ground(0, 0) [m], ground(1, 0) [m]), bar.end);
+        start   { bar.angle [rad] ~ 0; }
+        options { emit = (tangent); }
+        expect  { degrees_of_freedom = 5; }
+        output middle [mm] = bar.center.y;
+    }
+}
+
+linkwright::mechanism! {
     /// The same bar in its own shapes, which are sines.
     pub planar HingedBarOfSines {
         beam bar { length [mm] = 350; section = circle(diameter [mm] = 7); young [GPa] = 207; density [kg/m^3] = 7801;

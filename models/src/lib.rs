@@ -170,6 +170,8 @@ macro_rules! for_each_model {
             rimless_wheel: $crate::rimless_wheel::RimlessWheel,
             flexible_pendulum: $crate::flexible_pendulum::FlexiblePendulum,
             hinged_bar: $crate::flexible_pendulum::HingedBar,
+            hinged_bar_of_one: $crate::flexible_pendulum::HingedBarOfOne,
+            hinged_bar_of_five: $crate::flexible_pendulum::HingedBarOfFive,
             hinged_bar_of_sines: $crate::flexible_pendulum::HingedBarOfSines,
             flexible_quick_return: $crate::flexible_quick_return::FlexibleQuickReturn,
             flexible_slider_crank: $crate::flexible_slider_crank::FlexibleSliderCrank,

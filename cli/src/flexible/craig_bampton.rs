@@ -7,6 +7,9 @@ use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 use linkwright_compiler::modal::{Reduced, Square};
 
+/// Of an entry of the stiffness, what is left of it by elimination alone.
+const ROUNDING: f64 = 1e-11;
+
 pub fn reduced(model: &Model, held: &[u64], interface: &[u64], modes: usize) -> Result<Reduced, String> {
     let held: Vec<usize> = held.iter().map(|node| model.node(*node)).collect::<Result<_, _>>()?;
     let joined: Vec<usize> = interface.iter().map(|node| model.node(*node)).collect::<Result<_, _>>()?;
@@ -57,9 +60,16 @@ pub fn shapes(
         boundary.iter().for_each(|row| push(&|_| 0.0, Some(*row)));
         return Ok(found);
     }
-    let factor = part(&model.stiffness, inner, inner).llt(Side::Lower).map_err(|_| {
+    let loose = || {
         "the stiffness is not positive definite where nodes are held and joined: hold enough nodes, and leave loose ones out".to_string()
-    })?;
+    };
+    let stiffness = part(&model.stiffness, inner, inner);
+    let factor = stiffness.llt(Side::Lower).map_err(|_| loose())?;
+    // A pivot that is nothing but rounding belongs to a motion that nothing resists.
+    let is_rounding = |row: usize| factor.L()[(row, row)].powi(2) < ROUNDING * stiffness[(row, row)];
+    if (0..inner.len()).any(is_rounding) {
+        return Err(loose());
+    }
     let moved = factor.solve(&part(&model.stiffness, inner, boundary));
     for (k, row) in boundary.iter().enumerate() {
         push(&|i| -moved[(i, k)], Some(*row));

@@ -118,6 +118,20 @@ fn models_that_are_refused() {
         reduce(&[10], &[], 18)
             .contains("rows between the nodes have mass, and not 18: ask for fewer --modes")
     );
+    // Nothing holds the turn about the axis; the last pivot of its rows is rounding, and not nothing.
+    let mut swivels = stiffness.clone();
+    swivels.entries.retain(|(i, k, _)| i % ROWS != 3 && k % ROWS != 3);
+    for (one, other, spring) in [(9, 15, 0.1), (15, 21, 0.7)] {
+        swivels.entries.extend([
+            (one, one, spring),
+            (other, other, spring),
+            (one, other, -spring),
+            (other, one, -spring),
+        ]);
+    }
+    let swivels = Model::new(nodes_of.clone(), &mass, &swivels).expect("it is lumped");
+    let message = reduced(&swivels, &[10], &[], 1).map(|_| ()).expect_err("it turns");
+    assert!(message.contains("the stiffness is not positive definite"), "{message}");
     let mut loose = stiffness.clone();
     loose.entries.retain(|(i, k, _)| i / ROWS < 3 && k / ROWS < 3);
     let loose = Model::new(nodes_of, &mass, &loose).expect("it is lumped");

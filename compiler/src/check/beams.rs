@@ -1,25 +1,28 @@
 //! Beams within the reach of their theory: slender ones, whose shapes suit what holds them, and where nothing stiffens them none that a
-//! turn or a thrust would soften or stiffen by much. What holds a beam's direction at its start is in `clamps`.
+//! turn or a thrust would soften or stiffen by much. What holds a beam's direction at its start is in `clamps`, by how much it is
+//! turned and pressed in `strain`, how fast drivers turn it later in `driven`.
 
 mod clamps;
+mod driven;
+mod strain;
 
-use super::assemble::{Ancestry, Assembly, Point};
+pub use strain::{Strain, strains};
+
+use super::assemble::Assembly;
 use super::rules::at_defaults;
 use super::warnings::Wanted;
 use crate::beams::{Shapes, Way};
 use crate::diagnostics::{Diagnostics, Lint};
 use crate::equations::Equations;
 use crate::messages;
-use crate::model::{Beam, Body, BodyId, Expr, Frame, JointId, Mechanism, Place, Side, Space};
+use crate::model::{Beam, Body, BodyId, Expr, Frame, JointId, Mechanism, Place, Side};
 use crate::solve::Solved;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 /// Lengths in radii of gyration √(I/A) below which shear and the turning of sections are seen (Timoshenko).
 const SLENDER: f64 = 20.0;
 /// Of the first clamped frequency and of Euler's load: squares of a tenth matter from here on.
 const MUCH: f64 = 1.0 / 3.0;
-/// The first root of the clamped beam, squared.
-const CLAMPED: f64 = 1.875_104_068_711_961_1 * 1.875_104_068_711_961_1;
 
 /// Frequencies of modes by themselves are as expected.
 pub(super) fn frequencies(mechanism: &Mechanism, errors: &mut Diagnostics) {
@@ -44,15 +47,18 @@ pub(super) fn frequencies(mechanism: &Mechanism, errors: &mut Diagnostics) {
 pub(super) fn beams_are_slender(mechanism: &Mechanism, wanted: &mut Wanted) {
     for body in &mechanism.bodies {
         let Some(beam) = body.beam() else { continue };
-        let axial = at_defaults(mechanism, beam.rigidity(Way::Axial));
-        let stiffest =
-            ways(beam).filter_map(|way| at_defaults(mechanism, beam.rigidity(way))).fold(0.0, f64::max);
-        let Some(axial) = axial else { continue };
-        let ratio = beam.slender.length / (stiffest / axial).sqrt();
+        let Some(ratio) = slenderness(mechanism, beam) else { continue };
         if ratio < SLENDER && has_bending(beam) {
             wanted.push(Lint::Slender, body.name.span, messages::thick_beam(&body.name.text, ratio, SLENDER));
         }
     }
+}
+
+/// The length of a beam in radii of gyration √(I/A) of its section, the largest of those about which it bends.
+fn slenderness(mechanism: &Mechanism, beam: &Beam) -> Option<f64> {
+    let rigidity = |way: Way| at_defaults(mechanism, beam.rigidity(way));
+    let stiffest = ways(beam).filter_map(rigidity).fold(0.0, f64::max);
+    Some(beam.slender.length / (stiffest / rigidity(Way::Axial)?).sqrt())
 }
 
 /// Shapes that are clamped at the start belong to a beam that something clamps there.
@@ -88,76 +94,41 @@ fn at(mechanism: &Mechanism, body: usize, x: f64) -> Vec<(JointId, &Place)> {
     places.filter(|(_, place)| x_of(place, body) == Some(x)).collect()
 }
 
-/// Warnings of beams without stiffening that turn fast or are pressed together at the start, as far as no input decides that.
-pub fn unstiffened<'m>(
-    mechanism: &'m Mechanism,
+/// Warnings of beams without stiffening that turn fast at the start or are driven so later, or are pressed together at the start, as far as no input
+/// decides that.
+pub fn unstiffened(
+    mechanism: &Mechanism,
     equations: &Equations,
     solved: &Solved,
     assembly: &Assembly,
     found: &mut Diagnostics,
 ) {
-    let is_soft = |body: &'m Body| -> Option<&'m Beam> {
-        let beam = body.beam()?;
+    let is_soft = |body: &Body| {
         let covered = mechanism.allowed.covers(Lint::Stiffening, body.name.span);
-        (has_bending(beam) && beam.slender.shortenings.is_empty() && !covered).then_some(beam)
+        let is_soft = |beam: &Beam| has_bending(beam) && beam.slender.shortenings.is_empty();
+        !covered && body.beam().is_some_and(is_soft)
     };
-    if !mechanism.bodies.iter().any(|body| is_soft(body).is_some()) {
+    if !mechanism.bodies.iter().any(is_soft) {
         return;
     }
-    let mut point = Point::at_start(mechanism, equations, assembly);
-    let index1 = &solved.index1;
-    let results = || index1.acceleration.iter().chain(&index1.lambda).copied();
-    point.evaluate(&Ancestry::of(equations, results()));
-    let values =
-        |nodes: &[crate::symbolic::Node]| nodes.iter().map(|node| point.get(*node)).collect::<Vec<_>>();
-    let (acceleration, lambda) = (values(&index1.acceleration), values(&index1.lambda));
-    point.set(&equations.symbols.acceleration, &acceleration);
-    point.set(&equations.symbols.lambda, &lambda);
-    let motions = equations.motions.iter().flat_map(|motion| motion.flat());
-    let reactions = equations.reactions.iter().flatten().copied();
-    point.evaluate(&Ancestry::of(equations, motions.chain(reactions)));
-    let by_inputs = results().any(|node| equations.takes_inputs(node));
-    for (index, body) in mechanism.bodies.iter().enumerate() {
-        let Some(beam) = is_soft(body) else { continue };
-        let value = |expr: &Expr| at_defaults(mechanism, expr);
-        let softest = ways(beam).filter_map(|way| value(beam.rigidity(way))).reduce(f64::min);
-        let (Some(bending), Some(mass)) = (softest, value(&body.mass)) else { continue };
-        let length = beam.slender.length;
-        let name = &body.name.text;
-        // Across the axis: in the plane there is no other rate.
-        let rates = equations.motions[index].rate.iter().map(|node| point.get(*node)).collect::<Vec<_>>();
-        let rate = match rates.as_slice() {
-            [_, y, z] => y.hypot(*z),
-            rates => rates.iter().fold(0.0, |sum: f64, rate| sum.hypot(*rate)),
-        };
-        let natural = CLAMPED * (bending / (mass * length.powi(3))).sqrt();
-        if rate > MUCH * natural {
-            found.warning(Lint::Stiffening, body.name.span, messages::fast_beam(name, rate, natural));
+    for strain in strains(mechanism, equations, solved, assembly) {
+        let body = &mechanism.bodies[strain.body.0];
+        if !is_soft(body) {
             continue;
         }
-        // The axis of its frame: (cos, sin), or the first column of the matrix.
-        let orientation = &equations.motions[index].orientation;
-        let along: Vec<f64> = match mechanism.space {
-            Space::Planar => orientation.iter().map(|node| point.get(*node)).collect(),
-            Space::Spatial => orientation.iter().step_by(3).map(|node| point.get(*node)).collect(),
-        };
-        let ends = thrusts(mechanism, index, beam, |joint| {
-            let force = equations.reactions[joint].iter();
-            along.iter().zip(force).map(|(along, force)| along * point.get(*force)).sum()
-        });
-        let thrust = match ends {
-            [Some(start), Some(end)] => 0.5 * (start + end),
-            [Some(only), None] | [None, Some(only)] => only,
-            [None, None] => continue,
-        };
-        // A column on a foot whose head sways, or one between two hinges.
-        let one_end = ends.iter().flatten().count() == 1;
-        let sways = one_end
-            || clamps::sways(mechanism, BodyId(index), beam, &at(mechanism, index, beam.slender.from));
-        let factor = if sways { 0.25 } else { 1.0 };
-        let euler = factor * PI * PI * bending / (length * length);
-        if !by_inputs && thrust > MUCH * euler {
-            found.warning(Lint::Stiffening, body.name.span, messages::pressed_beam(name, thrust, euler));
+        let (name, span) = (&body.name.text, body.name.span);
+        let much = MUCH * strain.natural;
+        if strain.rate > much {
+            let message = messages::fast_beam(name, strain.rate, strain.natural, None);
+            found.warning(Lint::Stiffening, span, message);
+        } else if let Some([time, rate]) = driven::beyond(mechanism, strain.body, much) {
+            let message = messages::fast_beam(name, rate, strain.natural, Some(time));
+            found.warning(Lint::Stiffening, span, message);
+        } else if let Some([thrust, euler]) = strain.pressed
+            && !strain.by_inputs
+            && thrust > MUCH * euler
+        {
+            found.warning(Lint::Stiffening, span, messages::pressed_beam(name, thrust, euler));
         }
     }
 }

@@ -15,7 +15,7 @@ mod size;
 mod steady;
 mod warnings;
 
-pub use beams::unstiffened;
+pub use beams::{Strain, strains, unstiffened};
 pub use beyond::beyond_tables;
 pub use contacts::{Blow, contact_times, contacts};
 pub use cords::cords;

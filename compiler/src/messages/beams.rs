@@ -291,9 +291,14 @@ pub(crate) fn clamp_that_turns(
     )
 }
 
-pub(crate) fn fast_beam(beam: &str, rate: f64, natural: f64) -> String {
+/// At the start, or as a driver turns it after a time.
+pub(crate) fn fast_beam(beam: &str, rate: f64, natural: f64, driven: Option<f64>) -> String {
+    let [turns, when] = match driven {
+        None => ["turns", "at the start"].map(str::to_string),
+        Some(time) => ["is driven".to_string(), format!("after {} s", significant(time, 3))],
+    };
     format!(
-        "the beam `{beam}` turns at {} rad/s at the start, {} of its first clamped frequency, {} rad/s, and nothing stiffens it: it bends far too \
+        "the beam `{beam}` {turns} at {} rad/s {when}, {} of its first clamped frequency, {} rad/s, and nothing stiffens it: it bends far too \
          much, and beyond that frequency without bound. Write `stiffening = on;`, or `#[allow(stiffening)]` before it",
         significant(rate, 4),
         significant(rate / natural, 2),

@@ -53,23 +53,26 @@ pub(crate) fn table(look_up: LookUp) -> Expr {
 
 /// The value of an expression of parameters, given theirs; `None` if it depends on anything else.
 pub(crate) fn evaluate(expr: &Expr, parameters: &[f64]) -> Option<f64> {
+    evaluate_at(expr, parameters, None)
+}
+
+/// The same of an expression that may name the time, s.
+pub(crate) fn evaluate_at(expr: &Expr, parameters: &[f64], time: Option<f64>) -> Option<f64> {
+    let value = |expr: &Expr| evaluate_at(expr, parameters, time);
     match expr {
         Expr::Number(value) => Some(*value),
         Expr::Parameter(id) => parameters.get(id.0).copied(),
-        Expr::Unary(function, x) => Some(compute_unary(*function, evaluate(x, parameters)?)),
-        Expr::Binary(function, x, y) => {
-            Some(compute_binary(*function, evaluate(x, parameters)?, evaluate(y, parameters)?))
-        }
-        Expr::Power(base, exponent) => Some(libm::pow(evaluate(base, parameters)?, *exponent)),
+        Expr::Time => time,
+        Expr::Unary(function, x) => Some(compute_unary(*function, value(x)?)),
+        Expr::Binary(function, x, y) => Some(compute_binary(*function, value(x)?, value(y)?)),
+        Expr::Power(base, exponent) => Some(libm::pow(value(base)?, *exponent)),
         Expr::Table(look_up) => {
-            let at = |argument| evaluate(argument, parameters);
-            let numbers: Vec<f64> = look_up.arguments.iter().map(at).collect::<Option<_>>()?;
+            let numbers: Vec<f64> = look_up.arguments.iter().map(value).collect::<Option<_>>()?;
             Some(look_up.curve.at(look_up.orders, &numbers))
         }
         Expr::Input(_)
         | Expr::State(_)
         | Expr::Gate(..)
-        | Expr::Time
         | Expr::Quantity(_)
         | Expr::If(..)
         | Expr::Rate(_) => None,

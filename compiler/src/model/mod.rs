@@ -101,6 +101,11 @@ pub fn value_at(expr: &Expr, parameters: &[f64]) -> Option<f64> {
     fold::evaluate(expr, parameters)
 }
 
+/// The same of an expression of parameters and time.
+pub fn value_in_time(expr: &Expr, parameters: &[f64], time: f64) -> Option<f64> {
+    fold::evaluate_at(expr, parameters, Some(time))
+}
+
 /// Components along x, y, z; in the plane the last is the number 0.
 pub type Vector = [Expr; 3];
 

@@ -17,6 +17,7 @@ mod mistakes;
 mod parts;
 mod space;
 mod spans;
+mod strain;
 mod tables;
 mod values;
 mod warnings;

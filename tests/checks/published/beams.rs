@@ -2,8 +2,10 @@
 //! source with its bending coupler.
 
 use super::{Table, Worst, baumgarte, run};
-use linkwright::{Linearisation, Simulation};
-use linkwright_models::flexible_pendulum::{FlexiblePendulum, HingedBar, HingedBarOfSines};
+use linkwright::{GeneralisedAlpha, Linearisation, Simulation};
+use linkwright_models::flexible_pendulum::{
+    FlexiblePendulum, HingedBar, HingedBarOfFive, HingedBarOfOne, HingedBarOfSines,
+};
 use linkwright_models::flexible_quick_return::{FlexibleQuickReturn, FlexibleQuickReturnInputs};
 use linkwright_models::flexible_slider_crank::FlexibleSliderCrank;
 use linkwright_models::quick_return::{ConstantSpeed, QuickReturn, slider_force};
@@ -58,30 +60,6 @@ pub fn determinant(a: &[f64], hertz: f64) -> f64 {
         }
     }
     product
-}
-
-linkwright::mechanism! {
-    /// The bar between two hinges with one shape of the free bar.
-    planar HingedBarOfOne {
-        beam bar { length [mm] = 350; section = circle(diameter [mm] = 7); young [GPa] = 207; density [kg/m^3] = 7801;
-                   modes = (bending = 1); }
-        joint left:  revolute(ground(0, 0) [m], bar.start);
-        joint right: point_on_line(line(ground(0, 0) [m], ground(1, 0) [m]), bar.end);
-        start { bar.angle [rad] ~ 0; }
-        options { emit = (tangent); }
-    }
-}
-
-linkwright::mechanism! {
-    /// With five.
-    planar HingedBarOfFive {
-        beam bar { length [mm] = 350; section = circle(diameter [mm] = 7); young [GPa] = 207; density [kg/m^3] = 7801;
-                   modes = (bending = 5); }
-        joint left:  revolute(ground(0, 0) [m], bar.start);
-        joint right: point_on_line(line(ground(0, 0) [m], ground(1, 0) [m]), bar.end);
-        start { bar.angle [rad] ~ 0; }
-        options { emit = (tangent); }
-    }
 }
 
 /// Between two hinges: k²π²/(2π) √(EI/μL⁴) with sines, to the last digits; with 1, 3 and 5 free shapes, of which every
@@ -264,5 +242,60 @@ fn frequencies_of_a_turning_beam() {
         let in_plane = |flap: f64| unit * (flap * flap - turned * turned).sqrt() / TAU;
         let [low, high] = [1.0 - 1e-9, 1.0 + above].map(|part| determinant(&a, in_plane(expected * part)));
         assert!(low * high < 0.0, "{turned}: {low} {high}");
+    }
+}
+
+macro_rules! pendulum {
+    ($name:ident, $($part:tt)*) => {
+        linkwright::mechanism! {
+            planar $name {
+                gravity [m/s^2] = (0, -9.81);
+                $($part)*
+                particle bob { mass [kg] = 0.2; }
+                joint hinge: revolute(ground(0, 0) [m], arm.start);
+                joint hook:  revolute(arm.end, bob.center);
+                start   { hinge.angle [rad] = 0; hinge.rate [rad/s] = 1; }
+                options { emit = (tangent); }
+                output x [m] = bob.center.x;
+                output y [m] = bob.center.y;
+            }
+        }
+    };
+}
+
+pendulum!(Rigid, rod arm { mass [kg] = 0.6; length [m] = 1.2; });
+pendulum!(StiffAndFree, beam arm { mass [kg] = 0.6; length [m] = 1.2; section = circle(diameter [mm] = 20); young [GPa] = 2e9;
+    modes = (axial = 1, bending = 3); });
+pendulum!(StiffAndPinned, beam arm { mass [kg] = 0.6; length [m] = 1.2; section = circle(diameter [mm] = 20); young [GPa] = 2e9;
+    modes = (axial = 1, bending = 2); shapes = pinned; stiffening = on; });
+pendulum!(StiffAndClamped, #[allow(slender)] beam arm { mass [kg] = 0.6; length [m] = 1.2; section = circle(diameter [mm] = 20);
+    young [GPa] = 2e9; modes = (bending = 2); shapes = clamped; });
+
+/// A beam that is ten million times as stiff as steel moves as the rod of its mass and length: mass, moment of inertia and centre are those of the rod
+/// whatever the frame is. Its frame moves in other coordinates, so that steps of second order are extrapolated.
+#[test]
+fn a_stiff_beam_is_a_rigid_body() {
+    macro_rules! moved {
+        ($model:ident) => {{
+            let model = $model::<f64>::default();
+            let end = |step: f64| {
+                let mut simulation =
+                    Simulation::new(&model, $model::START).integrator(GeneralisedAlpha::new(0.0)).step(step);
+                simulation.advance_until(1.5).expect("it swings");
+                let outputs = simulation.sample().outputs;
+                [outputs.x, outputs.y]
+            };
+            let (whole, half) = (end(5e-4), end(2.5e-4));
+            [0, 1].map(|axis| (4.0 * half[axis] - whole[axis]) / 3.0)
+        }};
+    }
+    let rigid = moved!(Rigid);
+    for (name, stiff) in [
+        ("free", moved!(StiffAndFree)),
+        ("pinned", moved!(StiffAndPinned)),
+        ("clamped", moved!(StiffAndClamped)),
+    ] {
+        let off = [0, 1].map(|axis: usize| (rigid[axis] - stiff[axis]).abs());
+        assert!(off[0].max(off[1]) < 1e-9, "{name}: {rigid:?} {stiff:?}");
     }
 }
