@@ -122,6 +122,14 @@ impl<D: 'static> Mechanism<f64> for Engine<D> {
     fn parts_by_impulses(&self) -> bool {
         self.shared.tables.by_impulses
     }
+    fn pressed_by(&self) -> &[Option<usize>] {
+        &self.shared.tables.pressed_by
+    }
+    fn grips(&self, holding: &mut List, sliding: &mut List) {
+        if self.has(Function::Grips) {
+            self.call(Function::Grips, &[], &mut [holding.as_mut_slice(), sliding.as_mut_slice()]);
+        }
+    }
     fn strikes(
         &self,
         time: f64,

@@ -26,6 +26,8 @@ pub struct Tables {
     pub start_gates: Vec<f64>,
     /// Whether contacts are rigid.
     pub rigid: bool,
+    /// Of each gate that of the gap which presses, where it is dry friction.
+    pub pressed_by: Vec<Option<usize>>,
     /// Whether they part by Poisson's law.
     pub by_impulses: bool,
     pub internal_scales: Vec<f64>,
@@ -107,6 +109,7 @@ impl Tables {
             gates: names_of(mechanism.gates().map(|(load, _)| &mechanism.loads[load.0].name).collect()),
             start_gates: compiled.start_gates(),
             rigid: mechanism.is_rigid(),
+            pressed_by: mechanism.pressed_by(),
             by_impulses: mechanism.options.by_impulses,
             internal: names_of(states.iter().map(|state| &state.name).collect()),
             internal_scales: states

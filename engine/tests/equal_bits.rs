@@ -153,12 +153,19 @@ fn functions<M: Model>() {
         same("guards: forces", forces.as_slice(), own_forces.as_slice());
         let [mut rates, mut biases, mut shares] = [at.gates; 3];
         let [mut own_rates, mut own_biases, mut own_shares] =
-            [own_zeros.clone(), own_zeros.clone(), own_zeros];
+            [own_zeros.clone(), own_zeros.clone(), own_zeros.clone()];
         model.strikes(time, &at.q, &at.v, &mut rates, &mut biases, &mut shares);
         engine.strikes(time, &q, &v, &mut own_rates, &mut own_biases, &mut own_shares);
         same("strikes: rates", rates.as_slice(), own_rates.as_slice());
         same("strikes: biases", biases.as_slice(), own_biases.as_slice());
         same("strikes: restitutions", shares.as_slice(), own_shares.as_slice());
+        assert_eq!(model.pressed_by(), engine.pressed_by());
+        let [mut holding, mut sliding] = [at.gates; 2];
+        let [mut own_holding, mut own_sliding] = [own_zeros.clone(), own_zeros];
+        model.grips(&mut holding, &mut sliding);
+        engine.grips(&mut own_holding, &mut own_sliding);
+        same("grips: holding", holding.as_slice(), own_holding.as_slice());
+        same("grips: sliding", sliding.as_slice(), own_sliding.as_slice());
         let outputs = model.outputs(time, &state, &at.u);
         let mut own_outputs = engine.outputs(time, &own, &u);
         same("outputs", outputs.to_array().as_slice(), own_outputs.as_slice());

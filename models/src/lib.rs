@@ -68,6 +68,7 @@ pub mod stick_slip;
 pub mod toothed_gears;
 pub mod tracked_vehicle;
 pub mod tree_pendulum;
+pub mod woodpecker;
 pub mod yaw_drive;
 
 /// Calls a macro with every shipped model, `name: path::to::Type`, so that no test forgets one.
@@ -168,6 +169,7 @@ macro_rules! for_each_model {
             hammer_at_rigid_wall: $crate::hammer_at_rigid_wall::HammerAtRigidWall,
             slider_crank_on_stop: $crate::slider_crank_on_stop::SliderCrankOnStop,
             rimless_wheel: $crate::rimless_wheel::RimlessWheel,
+            woodpecker: $crate::woodpecker::Woodpecker,
             flexible_pendulum: $crate::flexible_pendulum::FlexiblePendulum,
             hinged_bar: $crate::flexible_pendulum::HingedBar,
             hinged_bar_of_one: $crate::flexible_pendulum::HingedBarOfOne,

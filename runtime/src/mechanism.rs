@@ -227,8 +227,18 @@ pub trait Mechanism<R: Real>: Variables<R> {
     fn parts_by_impulses(&self) -> bool {
         false
     }
+    /// Of each gate the one of the gap that presses, where it is the dry friction of a rigid contact; empty where nothing rubs so.
+    #[inline(always)]
+    fn pressed_by(&self) -> &[Option<usize>] {
+        &[]
+    }
+    /// Of each dry friction the shares μ_s and μ_k of the force that presses, with which it holds and slides.
+    #[inline(always)]
+    fn grips(&self, holding: &mut Self::Gates, sliding: &mut Self::Gates) {
+        let _ = (holding, sliding);
+    }
     /// Of each rigid contact the rate ġ of its gap (m/s or rad/s), what of g̈ is there at v̇ = 0 (m/s² or rad/s²), and the share of
-    /// the speed of approach with which it parts.
+    /// the speed of approach with which it parts; of each dry friction the speed of its sliding (m/s), what of its derivative is there, and 0.
     #[inline(always)]
     fn strikes(
         &self,

@@ -114,6 +114,11 @@ fn emitted<M: Model>(model: &M, inputs: &Inputs, function: Function) -> Option<V
             model.strikes(t, q, v, &mut rates, &mut biases, &mut restitutions);
             [rates.as_slice(), biases.as_slice(), restitutions.as_slice()].concat()
         }
+        Function::Grips => {
+            let [mut holding, mut sliding] = [at.gates; 2];
+            model.grips(&mut holding, &mut sliding);
+            [holding.as_slice(), sliding.as_slice()].concat()
+        }
         Function::InverseDynamics => model.flat_inverse_dynamics(&at, &a),
         Function::Powers => model.flat_powers(&at),
         Function::DriverEfforts => model.flat_driver_efforts(&at, &lambda),

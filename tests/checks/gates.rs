@@ -56,7 +56,7 @@ fn held_is_live_at_one_state<M: Model>() {
     assert!(closed >= STATES / 2 && open >= STATES / 2, "{}: {closed} closed, {open} open", model.name());
 }
 
-/// The energy is less by what impulses say that they took: none of these mechanisms has anything else that takes energy. Where surfaces move by
+/// The energy is less by what impulses say that they took: none of these mechanisms has anything else that takes energy but dry friction. Where surfaces move by
 /// themselves, or by drivers, these do work.
 fn impulses_take_what_they_say<M: Model>() {
     let model = M::standard();
@@ -69,15 +69,19 @@ fn impulses_take_what_they_say<M: Model>() {
     model.strikes(0.3, &model.start_q(), &model.zero_v(), &mut drifts, &mut none, &mut shares);
     let driven = !walk::<M>(30, 1).0.mechanism.drivers.is_empty();
     let moves = driven || drifts.as_slice().iter().any(|drift| *drift != 0.0);
+    let rubs = model.pressed_by().iter().any(Option::is_some);
     let begun = simulation.energy();
     let (mut impacts, mut lost) = (0, 0.0);
     while simulation.time() < 1.5 {
         let step = simulation.advance().unwrap_or_else(|error| panic!("{}: {error}", model.name()));
-        assert!(step.lost >= -1e-12, "{}: an impulse gave {:e} J", model.name(), -step.lost);
-        (impacts, lost) = (impacts + step.impacts, lost + step.lost);
+        assert!(step.lost >= 0.0 && step.gained >= 0.0, "{}: {step:?}", model.name());
+        assert!(rubs || step.gained <= 1e-12, "{}: an impulse gave {:e} J", model.name(), step.gained);
+        (impacts, lost) = (impacts + step.impacts, lost + step.lost - step.gained);
         if !moves {
             let off = simulation.energy() + lost - begun;
-            assert!(off.abs() <= 1e-7, "{} at {} s: {off:e} J", model.name(), step.time);
+            // Friction takes more between touches, and gives nothing.
+            let within = if rubs { off <= 1e-7 } else { off.abs() <= 1e-7 };
+            assert!(within, "{} at {} s: {off:e} J", model.name(), step.time);
         }
     }
     println!("{}: {impacts} impacts took {lost} J", model.name());

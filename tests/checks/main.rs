@@ -7,6 +7,7 @@ mod both_orders;
 mod ceilings;
 mod convergence;
 mod dormand_prince;
+mod dry;
 mod emitted_code;
 mod events;
 mod every_operation;

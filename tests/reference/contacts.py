@@ -31,13 +31,20 @@ def is_rigid(contact):
     return contact["law"]["kind"] == "rigid"
 
 
+def is_dry(load):
+    """Whether it is the friction of a rigid contact that holds what rests."""
+    return load["kind"] == "dry"
+
+
 def gates(definition):
-    """(contact, which of its gaps) of each gate that is held within a step."""
+    """(contact or dry friction, which of the gaps) of each gate that is held within a step."""
     all_contacts = definition.get("contacts", [])
     word = definition.get("options", {}).get("contact", "live")
     if word != "held" and not any(is_rigid(contact) for contact in all_contacts):
         return []
-    return [(contact["name"], which) for contact in all_contacts for which in range(count(definition, contact))]
+    rubbing = [(load["name"], find(definition, load["on"])) for load in definition["loads"] if is_dry(load)]
+    all_of = rubbing + [(contact["name"], contact) for contact in all_contacts]
+    return [(name, which) for name, contact in all_of for which in range(count(definition, contact))]
 
 
 def count(definition, contact):
@@ -49,6 +56,11 @@ def count(definition, contact):
     several = kinds[0] in FLAT or kinds[1] in FLAT
     ends = [len(surface["places"]) for surface in pair if several and surface["kind"] in ("segment", "capsule", "polygon")]
     return max(ends, default=1)
+
+
+def along_surface(velocity, normal):
+    """The component of a velocity in the plane along a surface; what a gap says of itself has one."""
+    return velocity if normal is None else normal[1] * velocity[0] - normal[0] * velocity[1]
 
 
 class Contacts:
@@ -142,6 +154,11 @@ class Contacts:
         """Whether surfaces touch, at each gap."""
         gaps = self.gaps(name)[0]
         return [self.gates[name, which] > 0.5 if self.gates else gap < 0 for which, gap in enumerate(gaps)]
+
+    def slidings(self, name):
+        """Of a dry friction how fast the surfaces slide at each gap, along the normal turned clockwise."""
+        load = next(load for load in self.definition["loads"] if load["name"] == name)
+        return [along_surface(velocity, normal) for velocity, normal in self.sliding(load["on"])]
 
     def restitutions(self, name):
         law = find(self.definition, name)["law"]

@@ -87,21 +87,29 @@ class Energies:
             self.jacobian = ca.SX(0, v.numel())
 
     def _touching(self):
-        """Of gates that are held the gaps and the laws without them; of rigid contacts ġ, g̈ at v̇ = 0, and the restitution."""
-        touching, kinematics = self.kinematics.contacts, self.kinematics
+        """Of gates that are held the gaps and the laws without them; of rigid contacts ġ, g̈ at v̇ = 0, and the restitution. Dry friction has in
+        the place of the first three nothing and of the last three the sliding, its derivative at v̇ = 0, and nothing."""
+        touching, kinematics, definition = self.kinematics.contacts, self.kinematics, self.model.definition
         names = list(dict.fromkeys(name for name, _ in touching.gates))
-        rigid = [name for name in names if contacts.is_rigid(contacts.find(self.model.definition, name))]
+        dry = [name for name in names if not contacts.find(definition, name)]
+        rigid = dry + [name for name in names if name not in dry and contacts.is_rigid(contacts.find(definition, name))]
 
-        def all_of(names, of):
-            found = [value for name in names for value in of(name)]
+        def all_of(names, of, of_dry):
+            found = [value for name in names for value in (of_dry if name in dry else of)(name)]
             return ca.vertcat(*found) if found else ca.SX(0, 1)
 
-        self.gaps = all_of(names, lambda name: touching.gaps(name)[0])
-        self.laws = all_of(names, touching.laws)
-        gaps = all_of(rigid, lambda name: touching.gaps(name)[0])
-        self.gap_rates = kinematics.rate(gaps) if rigid else ca.SX(0, 1)
+        def nothing(name):
+            return [ca.SX(0)] * len(touching.slidings(name))
+
+        self.gaps = all_of(names, lambda name: touching.gaps(name)[0], nothing)
+        self.laws = all_of(names, touching.laws, nothing)
+
+        def rates_of(name):
+            return ca.vertsplit(kinematics.rate(ca.vertcat(*touching.gaps(name)[0])))
+
+        self.gap_rates = all_of(rigid, rates_of, touching.slidings)
         self.gap_biases = kinematics.rate(self.gap_rates) if rigid else ca.SX(0, 1)
-        self.restitutions = all_of(rigid, touching.restitutions)
+        self.restitutions = all_of(rigid, touching.restitutions, nothing)
 
     def _slope(self, value):
         """∂(value)/∂π."""

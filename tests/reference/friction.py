@@ -13,7 +13,7 @@ import bristles
 import contacts
 from expressions import entry, evaluate
 
-KINDS = ("coulomb", "stribeck", *bristles.KINDS)
+KINDS = ("coulomb", "stribeck", "dry", *bristles.KINDS)
 TURNING = ("revolute", "universal", "spherical")
 SMALLEST = 1e-9  # of the weight
 STANDARD_GRAVITY = 9.80665
@@ -79,6 +79,9 @@ def resisted(load, kinematics, v, z=()):
 def in_contact(load, kinematics):
     """Rates w and what acts along them at each place where surfaces touch."""
     rates, acting, touching = [], [], kinematics.contacts
+    if contacts.is_dry(load):
+        slidings = touching.slidings(load["name"])
+        return ca.vertcat(*slidings), ca.vertcat(*[touching.gates[load["name"], k] for k in range(len(slidings))])
     places = zip(touching.closed(load["on"]), touching.forces(load["on"]), touching.sliding(load["on"]))
     deflections = iter(bristles.own(load, kinematics.model))
     for closed, pressed, (velocity, normal) in places:

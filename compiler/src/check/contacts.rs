@@ -66,7 +66,10 @@ pub fn contacts(
         if said == Some(name) {
             continue;
         }
-        let rubs = || mechanism.loads.iter().any(|load| load.form.rubs) || !equations.friction.is_none();
+        let rubs = || {
+            mechanism.loads.iter().any(|load| load.form.rubs && !load.form.holds)
+                || !equations.friction.is_none()
+        };
         if load.restitution.is_some() && rubs() {
             said = Some(name);
             errors.error(at, messages::rigid_with_friction(name));

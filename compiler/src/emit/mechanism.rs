@@ -50,6 +50,11 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
         if mechanism.is_rigid() {
             tables::method(text, "is_rigid", "bool", "true");
         }
+        let pressed = mechanism.pressed_by();
+        if pressed.iter().any(Option::is_some) {
+            let entries = array(pressed.iter().map(|gate| format!("{gate:?}")));
+            tables::method(text, "pressed_by", "&[Option<usize>]", &format!("&{entries}"));
+        }
         if mechanism.options.by_impulses {
             tables::method(text, "parts_by_impulses", "bool", "true");
         }

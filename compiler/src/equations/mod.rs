@@ -164,8 +164,11 @@ pub struct Equations {
     pub friction: Friction,
     /// Of each gate that is held, the gap, and the force of its law without the gate.
     pub guards: Vec<[Node; 2]>,
-    /// Of each gap of a rigid contact, its rate, its second time derivative at v̇ = 0, and the restitution.
+    /// Of each gap of a rigid contact, its rate, its second time derivative at v̇ = 0, and the restitution; of dry friction the sliding and its
+    /// derivative.
     pub strikes: Vec<[Node; 3]>,
+    /// μ_s and μ_k of each gate, where any is of dry friction.
+    pub grips: Vec<[Node; 2]>,
     /// ż of the internal states, likewise, and their values at the start.
     pub internal_rates: Vec<Node>,
     pub internal_starts: Vec<Node>,
@@ -274,7 +277,7 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
     let outputs: Vec<Node> =
         mechanism.outputs.iter().map(|output| outputs_laws.value(&output.value).bare).collect();
 
-    let (guards, strikes) = (loads::guards(&laws), loads::strikes(&laws));
+    let (guards, strikes, grips) = (loads::guards(&laws), loads::strikes(&laws), loads::grips(&laws));
     let states = mechanism.states.iter();
     let internal_rates = states.clone().map(|state| rate(&outputs_laws, &state.rate).bare).collect();
     let internal_starts = states.map(|state| outputs_laws.value(&state.start).bare).collect();
@@ -322,6 +325,7 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
         outputs,
         guards,
         strikes,
+        grips,
         internal_rates,
         internal_starts,
         conditions,

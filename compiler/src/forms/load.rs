@@ -29,6 +29,8 @@ pub struct LoadForm {
     pub owns: Option<Owned>,
     /// Whether it is a friction: written `friction name: on(joint) = word(…);`.
     pub rubs: bool,
+    /// Whether it is the dry friction of a rigid contact, whose force is a number of the state.
+    pub holds: bool,
     /// The name of what it exerts as one quantity, if it has one.
     pub effort: Option<&'static str>,
     /// What is possible and probably not meant, given its name and its scalar arguments as far as they are plain numbers.

@@ -45,6 +45,7 @@ pub enum Function {
     InternalRates,
     Guards,
     Strikes,
+    Grips,
     InverseDynamics,
     Powers,
     DriverEfforts,

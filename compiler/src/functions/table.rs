@@ -23,7 +23,7 @@ const MOVING: &[Argument] = &[Constants, Time, Q, V, Acceleration];
 const EVERYTHING: &[Argument] = &[Constants, Time, State, Inputs, Acceleration, Lambda];
 
 /// Every function.
-pub static FUNCTIONS: [Signature; 49] = [
+pub static FUNCTIONS: [Signature; 50] = [
     signature(
         Function::MassMatrix,
         "mass_matrix",
@@ -191,7 +191,7 @@ pub static FUNCTIONS: [Signature; 49] = [
         "strikes",
         Mechanism,
         "Of each rigid contact the rate of its gap (m/s or rad/s), what of its second time derivative is there at v̇ = 0\n\
-         (m/s² or rad/s²), and its restitution.",
+         (m/s² or rad/s²), and its restitution; of each dry friction its sliding (m/s), the same of its derivative, and 0.",
         &[Constants, Time, Q, V],
         &[
             written("rates", Shape::Gates, |c| strikes(c, 0)).called("rate_{}"),
@@ -200,6 +200,18 @@ pub static FUNCTIONS: [Signature; 49] = [
         ],
     )
     .only(|c| !c.equations.strikes.is_empty()),
+    signature(
+        Function::Grips,
+        "grips",
+        Mechanism,
+        "Of each dry friction the shares of what presses with which it holds and slides; 0 of other gates.",
+        &[Constants],
+        &[
+            written("holding", Shape::Gates, |c| grips(c, 0)).called("holding_{}"),
+            written("sliding", Shape::Gates, |c| grips(c, 1)).called("sliding_{}"),
+        ],
+    )
+    .only(|c| !c.equations.grips.is_empty()),
     signature(
         Function::InverseDynamics,
         "inverse_dynamics",
@@ -538,6 +550,10 @@ fn has_friction(complete: &Complete) -> bool {
 
 fn guards(complete: &Complete, which: usize) -> Vec<Node> {
     complete.equations.guards.iter().map(|guard| guard[which]).collect()
+}
+
+fn grips(complete: &Complete, which: usize) -> Vec<Node> {
+    complete.equations.grips.iter().map(|shares| shares[which]).collect()
 }
 
 fn strikes(complete: &Complete, which: usize) -> Vec<Node> {

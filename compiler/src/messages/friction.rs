@@ -7,10 +7,31 @@ pub(crate) fn friction_without_joint() -> String {
         .to_string()
 }
 
-pub(crate) fn dry_friction() -> String {
-    "`dry` friction, which sticks without giving way, is not there yet; `lugre` and `asperity` hold what rests after a deflection \
-     of static/stiffness or coefficient/stiffness; `coulomb` and `stribeck` creep with a speed of the order of their `speed`"
-        .to_string()
+pub(crate) fn dry_in_joint(joint: &str) -> String {
+    format!(
+        "`dry` friction acts at rigid contacts, and not in joints yet: in `{joint}`, `lugre` and `asperity` hold what rests after a deflection of \
+         static/stiffness or coefficient/stiffness; `coulomb` and `stribeck` creep with a speed of the order of their `speed`"
+    )
+}
+
+pub(crate) fn dry_on_what_yields(contact: &str) -> String {
+    format!(
+        "`dry` friction needs a rigid contact, whose touches are found within the step, and `{contact}` yields: write \
+         `= rigid(restitution = …)` there, or `lugre` or `asperity` here, which hold what rests"
+    )
+}
+
+pub(crate) fn dry_in_space(contact: &str) -> String {
+    format!(
+        "`dry` friction slides along one line, and surfaces in space along any: give `{contact}` a law of its depth, such as `hunt_crossley`, and \
+         write `lugre` or `asperity` here, which hold what rests"
+    )
+}
+
+pub(crate) fn dry_twice(contact: &str, other: &str) -> String {
+    format!(
+        "`{other}` is dry friction at `{contact}` already, and which of two of them holds cannot be known: write one, with the larger `static`"
+    )
 }
 
 pub(crate) fn law_of_friction_alone(word: &str) -> String {

@@ -143,14 +143,21 @@ impl<'d> Lowering<'d> {
 
 impl<'d> Lowering<'d> {
     /// A contact presses by its law, and its friction needs nothing but coefficients and a speed.
-    fn rubs_in_contact(&mut self, load: &'d syntax::Load, values: &[Vec<Expr>]) -> Option<()> {
+    fn rubs_in_contact(&mut self, load: &'d syntax::Load, values: &mut [Vec<Expr>]) -> Option<()> {
+        if load.form.holds && load.named.labels().all(|label| label.text != "kinetic") {
+            // What slides is as much as what holds.
+            let at = |name: &str| load.form.call.named.iter().position(|argument| argument.name == name);
+            if let (Some(most), Some(least)) = (at("static"), at("kinetic")) {
+                values[least] = values[most].clone();
+            }
+        }
         let (name, errors) = (&load.name.text, self.diagnostics.iter().count());
         for argument in ["radius", "length", "shoulder", "preload", "force", "torque"] {
             if let Some(label) = load.named.labels().find(|label| label.text == argument) {
                 self.diagnostics.error(label.region, messages::no_use_in_contact(argument, name));
             }
         }
-        let arguments = load.form.call.named.iter().zip(values);
+        let arguments = load.form.call.named.iter().zip(&*values);
         let given = |name: &str| {
             let (_, value) = arguments.clone().find(|(argument, _)| argument.name == name)?;
             value.first().filter(|value| !matches!(value, Expr::Number(0.0)))
@@ -170,13 +177,53 @@ impl<'d> Lowering<'d> {
     }
 }
 
+impl<'d> Lowering<'d> {
+    /// Of dry friction a zero for each gate that it has; it acts in rigid contacts of the plane.
+    pub(super) fn held_by(&mut self, load: &'d syntax::Load, on: &[Subject]) -> Option<Vec<Expr>> {
+        if !load.form.holds {
+            return Some(Vec::new());
+        }
+        let (name, at) = (&load.name, load.on.first()?.region());
+        let index = match on {
+            [Subject::Touches(contact)] => contact.0 - self.definition.loads.len(),
+            _ => {
+                let joint = match load.on.first()? {
+                    SubjectTerm::Name(label) => label.text.as_str(),
+                    SubjectTerm::Place(_) | SubjectTerm::Expression(_) => "",
+                };
+                self.diagnostics.error(at, messages::dry_in_joint(joint));
+                return None;
+            }
+        };
+        let contact = &self.definition.contacts[index].name.text;
+        if !self.is_rigid_contact(index) {
+            self.diagnostics.error(at, messages::dry_on_what_yields(contact));
+            return None;
+        }
+        if self.definition.space == Space::Spatial {
+            self.diagnostics.error(name.region, messages::dry_in_space(contact));
+            return None;
+        }
+        let others = self.definition.loads.iter().take_while(|other| !std::ptr::eq(*other, load));
+        let twice = others.filter(|other| other.form.holds).find(
+            |other| matches!(other.on.first(), Some(SubjectTerm::Name(label)) if label.text == *contact),
+        );
+        if let Some(other) = twice {
+            self.diagnostics.error(name.region, messages::dry_twice(contact, &other.name.text));
+            return None;
+        }
+        self.gaps_of_contact(index).map(|gaps| vec![Expr::Number(0.0); gaps])
+    }
+}
+
 /// Numbers the frictions whose forces follow from reactions.
 pub(super) fn number(loads: &mut [Load]) {
     let mut count = 0;
     for load in loads.iter_mut().filter(|load| load.form.rubs) {
         let zero = |name: &str| matches!(load.named(name), Expr::Number(0.0));
         let by_contact = load.contact().is_some();
-        if by_contact || ["coefficient", "static", "kinetic"].iter().all(|name| zero(name)) {
+        if by_contact || load.form.holds || ["coefficient", "static", "kinetic"].iter().all(|name| zero(name))
+        {
             continue;
         }
         load.normal = Some(count);

@@ -24,6 +24,7 @@ impl<'d> Lowering<'d> {
         let (mut values, law) = (values?, law?);
         self.rates_of_arguments(load, &mut values)?;
         self.rubs(load, &on, &mut values)?;
+        let ungated = self.held_by(load, &on)?;
         let law = match (load.form.law, &law[..]) {
             (Law::Components(_), [value]) => directed(load, &values, value),
             _ => law,
@@ -39,7 +40,7 @@ impl<'d> Lowering<'d> {
             teeth,
             normal: None,
             slides: Vec::new(),
-            ungated: Vec::new(),
+            ungated,
             restitution: None,
         })
     }

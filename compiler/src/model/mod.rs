@@ -183,6 +183,17 @@ impl Mechanism {
         loads.flat_map(|(load, it)| (0..it.ungated.len()).map(move |which| (LoadId(load), which)))
     }
 
+    /// Of each gate the one of the gap that presses, where it is of dry friction.
+    pub fn pressed_by(&self) -> Vec<Option<usize>> {
+        let gates: Vec<(LoadId, usize)> = self.gates().collect();
+        let pressed = |(load, which): &(LoadId, usize)| {
+            let load = &self.loads[load.0];
+            let contact = load.contact().filter(|_| load.form.holds)?;
+            gates.iter().position(|gate| *gate == (contact, *which))
+        };
+        gates.iter().map(pressed).collect()
+    }
+
     /// The files that tables, parts and bodies were read from.
     pub fn files(&self) -> impl Iterator<Item = &OnDisk> {
         let tables = self.tables.iter().filter_map(|table| Some(&table.file.as_ref()?.on_disk));

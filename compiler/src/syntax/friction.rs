@@ -31,9 +31,6 @@ impl Parser<'_> {
         }
         self.end(&inside, "`)` after the name of a joint")?;
         self.punct(c, '=')?;
-        if c.at_word("dry") {
-            return self.fail(c.region(), messages::dry_friction());
-        }
         let laws: Vec<&LoadForm> = self.laws_of_friction().collect();
         let calls: Vec<&Form> = laws.iter().map(|law| &law.call).collect();
         let (which, arguments) = self.call_of(c, &calls, "law of friction")?;

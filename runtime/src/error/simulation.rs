@@ -183,7 +183,8 @@ pub enum SimulationError {
         /// How many may touch at once.
         most: u32,
     },
-    /// No impulses or forces of rigid contacts part what touches: joints or drivers hold it there.
+    /// No impulses or forces of rigid contacts part what touches: joints or drivers hold it there, or dry friction that presses harder by
+    /// itself than it lets go (Painlevé).
     NoImpact {
         /// The first of the contacts.
         contact: &'static str,
@@ -357,8 +358,9 @@ impl Display for SimulationError {
             ),
             SimulationError::NoImpact { contact, time } => write!(
                 f,
-                "no impulse parts the rigid `{contact}` and what touches with it at t = {time} s: joints or drivers hold them against each \
-                 other; leave one of them out, or give it a law of its depth, such as `kelvin_voigt`"
+                "no impulse parts the rigid `{contact}` and what touches with it at t = {time} s, and no force holds it: joints or drivers hold \
+                 them against each other, or its dry friction jams; leave one of them out, lower that, or give `{contact}` a law of its depth, \
+                 such as `kelvin_voigt`"
             ),
             SimulationError::RigidByResidual { contact } => write!(
                 f,

@@ -28,6 +28,8 @@ pub struct MechanismDynamics<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>,
     pub(super) watch: Watch<R, StateOf<M, R>>,
     /// The pivot of the last evaluation: that of the next step's beginning where it is not evaluated again.
     pub(super) last_pivot: R,
+    /// Which way what rubs in closed rigid contacts slides, 1 or −1 with and against the rate that `strikes` gives; 0 where it holds.
+    pub(super) ways: M::Gates,
     /// What was seen before the first trial of the step, once there was one.
     before_trials: Option<Watch<R, StateOf<M, R>>>,
     /// What the formulation remembered then.
@@ -99,6 +101,7 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
             begun_with: None,
             watch: Watch::new(R::ZERO),
             last_pivot: R::ONE,
+            ways: M::Gates::zeros(model.gate_names().len()),
             before_trials: None,
         }
     }
@@ -234,10 +237,10 @@ where
         let memory = &mut self.memory;
         let mut evaluation =
             self.formulation.acceleration(memory, model, time, state, &inputs, &mut a, &mut lambda);
-        if let Some(held) = held {
+        let forces = held.map(|held| {
             state.gates = held;
-            self.pressed(time, state, &inputs, &mut a, &mut lambda);
-        }
+            self.pressed(time, state, &inputs, &mut a, &mut lambda)
+        });
         // Written so that a NaN is seen.
         if !R::any(evaluation.pivot.greater_equal(R::NEAR_SINGULAR)) {
             self.see(time, state, &inputs, &mut evaluation, &mut a, &mut lambda);
@@ -254,7 +257,12 @@ where
         watch.iterations += evaluation.iterations;
         watch.residual = watch.residual.max(evaluation.residual);
         let mut z = M::Z::zeros(state.z.as_slice().len());
+        // They may name what rigid contacts exert now.
+        let held = forces.map(|forces| core::mem::replace(&mut state.gates, forces));
         model.internal_rates(time, state, &inputs, &a, &lambda, &mut z);
+        if let Some(held) = held {
+            state.gates = held;
+        }
         Derivative { v: state.v.clone(), a, z }
     }
 

@@ -9,7 +9,7 @@
 
 use super::course::Course;
 use super::locate::{Search, StandingOf, TRIALS};
-use super::rigid::{Blow, IMPACTS_PER_STEP};
+use super::strike::{Blow, IMPACTS_PER_STEP};
 use super::{MechanismDynamics, Simulation, Step};
 use crate::clock::Clock;
 use crate::error::SimulationError;
@@ -55,7 +55,7 @@ where
             self.run.state.gates = live;
             self.memory = self.integrator.memory();
         }
-        Ok(Blow { changed, impacts: 0, rested: 0, lost: R::ZERO })
+        Ok(Blow { changed, ..Blow::none() })
     }
 
     fn guards(&mut self) -> Guards<M, R> {
@@ -169,7 +169,7 @@ where
         whole: Step<R>,
     ) -> Result<Step<R>, SimulationError> {
         let size = whole.size;
-        let held = self.run.state.gates.clone();
+        let held = self.straight();
         let four = R::from_f64(4.0) * R::EPSILON;
         let tolerance = R::from_f64(LATE).max(four) * size;
         let sliver = R::from_f64(SLIVER).max(four) * size;
@@ -282,6 +282,7 @@ fn with<R: Real>(step: &Step<R>, blow: &Blow<R>) -> Step<R> {
         impacts: step.impacts + blow.impacts,
         rested: step.rested + blow.rested,
         lost: step.lost + blow.lost,
+        gained: step.gained + blow.gained,
         ..*step
     }
 }
@@ -312,5 +313,6 @@ fn together<R: Real>(before: &Step<R>, after: &Step<R>) -> Step<R> {
         impacts: before.impacts + after.impacts,
         rested: before.rested + after.rested,
         lost: before.lost + after.lost,
+        gained: before.gained + after.gained,
     }
 }

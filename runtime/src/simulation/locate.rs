@@ -9,6 +9,7 @@ use crate::input::InputSource;
 use crate::integrator::{Integrator, Method};
 use crate::mechanism::Assemble;
 use crate::real::Real;
+use crate::state::Variables;
 
 /// The most trials of one search: those of the ITP method are at most 54 in double precision; the others are for methods that
 /// shorten the repeated steps.
@@ -16,18 +17,25 @@ pub(super) const TRIALS: u32 = 1000;
 
 /// All of a simulation that a step changes.
 #[derive(Clone)]
-pub(super) struct Standing<Real, Run, Memory, Formulation, Inputs> {
+pub(super) struct Standing<Real, Run, Memory, Formulation, Inputs, Gates> {
     pub run: Run,
     memory: Memory,
     formulation: Formulation,
     inputs: Option<Inputs>,
     begun_with: Option<Inputs>,
     last_pivot: Real,
+    ways: Gates,
 }
 
 /// [`Standing`] of a simulation with these methods.
-pub(super) type StandingOf<M, R, F, D, I> =
-    Standing<R, Run<R, M>, <I as Method<R>>::Memory<M>, <F as Formulation<R, M>>::Memory, D>;
+pub(super) type StandingOf<M, R, F, D, I> = Standing<
+    R,
+    Run<R, M>,
+    <I as Method<R>>::Memory<M>,
+    <F as Formulation<R, M>>::Memory,
+    D,
+    <M as Variables<R>>::Gates,
+>;
 
 /// Moving, until something happens.
 impl<'m, R, M, F, S, I> Simulation<'m, M, R, F, S, I>
@@ -168,6 +176,7 @@ where
             inputs: self.dynamics.inputs.clone(),
             begun_with: self.dynamics.begun_with.clone(),
             last_pivot: self.dynamics.last_pivot,
+            ways: self.dynamics.ways.clone(),
         }
     }
 
@@ -178,6 +187,7 @@ where
         self.dynamics.inputs = standing.inputs;
         self.dynamics.begun_with = standing.begun_with;
         self.dynamics.last_pivot = standing.last_pivot;
+        self.dynamics.ways = standing.ways;
     }
 }
 

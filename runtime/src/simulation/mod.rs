@@ -18,16 +18,17 @@ mod rigid;
 mod sample;
 mod singularity;
 mod step;
+mod strike;
 
 pub use complementarity::RIGID_TOUCHING;
 pub use dynamics::MechanismDynamics;
 pub use event::{Direction, Event, Occurrence};
 pub use held::EVENTS_PER_STEP;
-pub use rigid::IMPACTS_PER_STEP;
 pub use sample::{Residual, Sample, Samples, Solution, SolutionOf};
 pub use singularity::NearSingular;
 pub use step::Step;
 pub(crate) use step::name_singularity;
+pub use strike::IMPACTS_PER_STEP;
 
 use crate::assembly::held;
 use crate::clock::Clock;

@@ -59,8 +59,10 @@ pub struct Step<R = f64> {
     pub impacts: u32,
     /// Rigid contacts that came to rest on each other.
     pub rested: u32,
-    /// The kinetic energy that impulses took, J: ½ Σ P (−ġ⁺ − ġ⁻).
+    /// The kinetic energy that impulses took, J: ½ Σ P (−ġ⁺ − ġ⁻), and where dry friction acts the same of what slides.
     pub lost: R,
+    /// What those gave that did not take any, J: Newton's law of restitution may beside friction; Poisson's does not.
+    pub gained: R,
 }
 
 impl<'m, R, M, F, S, I> Simulation<'m, M, R, F, S, I>
@@ -192,6 +194,7 @@ where
             impacts: 0,
             rested: 0,
             lost: R::ZERO,
+            gained: R::ZERO,
         };
         Ok((step, next, clock))
     }

@@ -234,6 +234,7 @@ macro_rules! for_each_in_zoo {
             docking: $crate::zoo_gates::Docking,
             striking: $crate::zoo_gates::Striking,
             dropping: $crate::zoo_gates::Dropping,
+            gripping: $crate::zoo_gates::Gripping,
             arm: $crate::zoo_space::Arm,
             jack: $crate::zoo_space::Jack,
             table: $crate::zoo_space::Table,

@@ -47,6 +47,7 @@ pub static LOAD: LoadKind = LoadKind {
         turns: false,
         owns: Some(Owned::Bristles { name: "way", most: "coefficient", stiffness: "stiffness" }),
         rubs: true,
+        holds: false,
         effort: None,
         doubt: None,
     },

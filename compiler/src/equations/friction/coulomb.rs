@@ -38,6 +38,7 @@ pub static LOAD: LoadKind = LoadKind {
         turns: false,
         owns: None,
         rubs: true,
+        holds: false,
         effort: None,
         doubt: None,
     },

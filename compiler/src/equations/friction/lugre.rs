@@ -48,6 +48,7 @@ pub static LOAD: LoadKind = LoadKind {
         turns: false,
         owns: Some(Owned::Bristles { name: "bristle", most: "static", stiffness: "stiffness" }),
         rubs: true,
+        holds: false,
         effort: None,
         doubt: None,
     },

@@ -12,12 +12,14 @@ mod asperity;
 mod bearing;
 mod bristles;
 mod coulomb;
+mod dry;
 mod lugre;
 mod magnitudes;
 mod normal;
 mod stribeck;
 mod touching;
 
+pub use dry::{shares, slidings};
 pub use normal::{Friction, closed, friction, symbols};
 
 use super::jet::Moving;
@@ -27,7 +29,7 @@ use crate::model::Load;
 use crate::symbolic::{Compare, Scalar};
 
 /// The laws of friction, which the plane and space have in common.
-pub static LAWS: &[&LoadKind] = &[&coulomb::LOAD, &stribeck::LOAD, &lugre::LOAD, &asperity::LOAD];
+pub static LAWS: &[&LoadKind] = &[&coulomb::LOAD, &stribeck::LOAD, &lugre::LOAD, &asperity::LOAD, &dry::LOAD];
 
 /// p and o of each component of a sliding v: rad/s where the surfaces turn on each other, else m/s. Laws that remember have a
 /// deflection z of each component too.

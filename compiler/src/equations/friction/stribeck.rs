@@ -40,6 +40,7 @@ pub static LOAD: LoadKind = LoadKind {
         turns: false,
         owns: None,
         rubs: true,
+        holds: false,
         effort: None,
         doubt: None,
     },

@@ -49,6 +49,44 @@ pub(super) fn slip<'g>(laws: &Laws<'g>, sliding: &Sliding) -> Slip<'g> {
     Slip { along, radius: one, pressed: zero, normal, closed: None }
 }
 
+/// How fast surfaces slide in the plane, and the derivative of that at v̇ = 0.
+pub(super) fn moved<'g>(laws: &Laws<'g>, sliding: &Sliding) -> [Scalar<'g>; 2] {
+    match sliding {
+        Sliding::Along(slip) => {
+            let slip = laws.jet(slip);
+            [slip.rate(), slip.bias()]
+        }
+        Sliding::Surfaces(spot) => {
+            let jets = |parts: &[Expr]| parts.iter().map(|part| laws.jet(part)).collect::<Vec<_>>();
+            let (point, normal) = (jets(&spot.point), jets(&spot.normal));
+            let values = |jets: &[Moving<'g>]| jets.iter().map(|jet| jet.value()).collect::<Vec<_>>();
+            let along = in_plane(laws, spot, &values(&point), &values(&normal));
+            [along.rate(), along.bias() + turned(laws, spot, &point, &normal)]
+        }
+    }
+}
+
+/// What the turning of t and the wandering of P add to the derivative of t·v: ṫ·v + (ω₁ − ω₂) × Ṗ·t …, each place with its own.
+fn turned<'g>(laws: &Laws<'g>, spot: &Spot, point: &[Moving<'g>], normal: &[Moving<'g>]) -> Scalar<'g> {
+    let (x, y) = (normal[1].value(), -normal[0].value());
+    let (x_rate, y_rate) = (normal[1].rate(), -normal[0].rate());
+    let [first, second] = [0, 1].map(|which| {
+        let place = &spot.places[which];
+        let at = laws.kinematics().world(laws, place);
+        let along = x_rate * at[0].rate() + y_rate * at[1].rate();
+        match turning_with(laws, place) {
+            Some(body) => {
+                let [dx, dy] = [0, 1].map(|axis| point[axis].value() - at[axis].value());
+                let [dx_rate, dy_rate] = [0, 1].map(|axis| point[axis].rate() - at[axis].rate());
+                let lever = y_rate * dx - x_rate * dy + y * dx_rate - x * dy_rate;
+                along + lever * laws.kinematics().rotor_rate(laws, Rotor::Body(body)).rate()
+            }
+            None => along,
+        }
+    });
+    first - second
+}
+
 /// t·v.
 fn in_plane<'g>(laws: &Laws<'g>, spot: &Spot, point: &[Scalar<'g>], normal: &[Scalar<'g>]) -> Moving<'g> {
     let (x, y) = (normal[1], -normal[0]);

@@ -38,6 +38,7 @@ pub static LOAD: LoadKind = LoadKind {
         turns: false,
         owns: Some(Owned::One { name: "deflection", size: "depth" }),
         rubs: false,
+        holds: false,
         effort: Some("resistance"),
         doubt: None,
     },

@@ -37,6 +37,7 @@ pub static LOAD: LoadKind = LoadKind {
         turns: false,
         owns: None,
         rubs: false,
+        holds: false,
         effort: Some("tension"),
         doubt: None,
     },

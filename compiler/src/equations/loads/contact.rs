@@ -2,6 +2,7 @@
 //! statement and is among no loads that a user may name.
 
 use super::{LoadKind, LoadTerms, along, no_rotors};
+use crate::equations::friction;
 use crate::equations::laws::Laws;
 use crate::forms::{Acts, Form, Law, LoadForm};
 use crate::model::Load;
@@ -21,6 +22,7 @@ pub static LOAD: LoadKind = LoadKind {
         turns: false,
         owns: None,
         rubs: false,
+        holds: false,
         effort: None,
         doubt: None,
     },
@@ -40,19 +42,29 @@ fn terms<'g>(laws: &Laws<'g>, load: &Load) -> LoadTerms<'g> {
 }
 
 /// Of each gate that is held over a step, in their order: the gap, and the force without the gate. The gate is that of the state where the
-/// gap is below zero and the force above.
+/// gap is below zero and the force above. Dry friction has none of both.
 pub fn guards(laws: &Laws) -> Vec<[Node; 2]> {
-    let contacts = laws.mechanism.loads.iter();
     let of = |load: &Load| -> Vec<[Node; 2]> {
+        if load.form.holds {
+            return load.ungated.iter().map(|none| [laws.value(none).bare; 2]).collect();
+        }
         let guards = load.along().zip(&load.ungated);
         guards.map(|(gap, force)| [laws.value(gap).bare, laws.value(force).bare]).collect()
     };
-    contacts.flat_map(of).collect()
+    laws.mechanism.loads.iter().flat_map(of).collect()
 }
 
-/// Of each gap of a rigid contact, in the same order: its rate ġ, its second time derivative at v̇ = 0, and the restitution.
+/// Of each gate of rigid contacts, in the same order: the rate ġ of the gap, its second time derivative at v̇ = 0, and the restitution; of dry
+/// friction the sliding, its derivative at v̇ = 0, and nothing.
 pub fn strikes(laws: &Laws) -> Vec<[Node; 3]> {
     let of = |load: &Load| -> Vec<[Node; 3]> {
+        if load.form.holds {
+            let zero = laws.g.zero().bare;
+            return friction::slidings(laws, load)
+                .into_iter()
+                .map(|[rate, bias]| [rate, bias, zero])
+                .collect();
+        }
         let Some(restitution) = &load.restitution else { return Vec::new() };
         let restitution = laws.value(restitution).bare;
         let each = |gap| {
@@ -62,4 +74,17 @@ pub fn strikes(laws: &Laws) -> Vec<[Node; 3]> {
         load.along().map(each).collect()
     };
     laws.mechanism.loads.iter().flat_map(of).collect()
+}
+
+/// μ_s and μ_k of each gate, where any is of dry friction; zeros of the others.
+pub fn grips(laws: &Laws) -> Vec<[Node; 2]> {
+    let loads = laws.mechanism.loads.iter();
+    if !loads.clone().any(|load| load.form.holds) {
+        return Vec::new();
+    }
+    let of = |load: &Load| {
+        let shares = if load.form.holds { friction::shares(laws, load) } else { [laws.g.zero().bare; 2] };
+        vec![shares; load.ungated.len()]
+    };
+    loads.flat_map(of).collect()
 }

@@ -29,6 +29,7 @@ pub static LOAD: LoadKind = LoadKind {
         turns: false,
         owns: None,
         rubs: false,
+        holds: false,
         effort: None,
         doubt: None,
     },

@@ -31,6 +31,7 @@ pub static LOAD: LoadKind = LoadKind {
         turns: false,
         owns: Some(Owned::Elements { name: "element", backbone: "backbone" }),
         rubs: false,
+        holds: false,
         effort: Some("resistance"),
         doubt: None,
     },

@@ -16,7 +16,7 @@ pub mod teeth;
 mod torque;
 mod torsion_spring;
 
-pub use contact::{LOAD as CONTACT, guards, strikes};
+pub use contact::{LOAD as CONTACT, grips, guards, strikes};
 pub use hysteresis::Inner;
 pub use torque::CALL as TORQUE;
 

@@ -33,6 +33,7 @@ pub static LOAD: LoadKind = LoadKind {
         turns: false,
         owns: None,
         rubs: false,
+        holds: false,
         effort: Some("torque"),
         doubt: None,
     },

@@ -31,6 +31,7 @@ pub static LOAD: LoadKind = LoadKind {
         turns: false,
         owns: None,
         rubs: false,
+        holds: false,
         effort: None,
         // A damper has no length.
         doubt: Some(|name, values| match values {

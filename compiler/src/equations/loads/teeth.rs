@@ -54,6 +54,7 @@ pub const FORM: LoadForm = LoadForm {
     turns: false,
     owns: None,
     rubs: false,
+    holds: false,
     effort: Some("force"),
     doubt: None,
 };

@@ -30,6 +30,7 @@ pub static LOAD: LoadKind = LoadKind {
         turns: false,
         owns: None,
         rubs: false,
+        holds: false,
         effort: None,
         doubt: None,
     },

@@ -199,6 +199,11 @@ impl<'d> Lowering<'d> {
         }
     }
 
+    /// At how many places a contact may touch.
+    pub(super) fn gaps_of_contact(&mut self, index: usize) -> Option<usize> {
+        self.geometry(index).map(|geometry| geometry.meetings.len())
+    }
+
     fn geometry(&mut self, index: usize) -> Option<Geometry> {
         let definition = self.definition;
         let contact = &definition.contacts[index];

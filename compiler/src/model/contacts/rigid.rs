@@ -41,6 +41,10 @@ impl<'d> Lowering<'d> {
         })
     }
 
+    pub(in crate::model) fn is_rigid_contact(&self, index: usize) -> bool {
+        is_rigid(&self.definition.contacts[index])
+    }
+
     /// What rigid contacts cannot be together with yet.
     pub(in crate::model) fn beside_rigid(&mut self) {
         let definition = self.definition;

@@ -35,6 +35,7 @@ pub static LOAD: LoadKind = LoadKind {
         turns: true,
         owns: None,
         rubs: false,
+        holds: false,
         effort: None,
         doubt: None,
     },

@@ -36,6 +36,7 @@ pub static LOAD: LoadKind = LoadKind {
         turns: true,
         owns: None,
         rubs: false,
+        holds: false,
         effort: None,
         doubt: None,
     },

@@ -1,0 +1,345 @@
+//! What happens where rigid contacts touch: impulses, and the forces and ways with which they go on. Its equations stand in `rigid.rs`.
+//!
+//! ```text
+//! Δv = W P,    ΔT = ½ P·(ξ⁺ + ξ⁻),    ξ = J v + drift, of gaps and of what slides in them
+//! ```
+//! Newton's law of restitution beside friction may give energy (Kane and Levinson, Dynamics, 1985, 5.8): [`Blow::gained`] says so.
+
+use super::Simulation;
+use super::complementarity::{Few, Problem, RIGID_TOUCHING, ROWS, Rub, Way};
+use super::rigid::{grips, near, pressed_by, still};
+use crate::error::SimulationError;
+use crate::formulation::Formulation;
+use crate::input::InputSource;
+use crate::integrator::Method;
+use crate::mechanism::Assemble;
+use crate::real::Real;
+use crate::state::State;
+use crate::vector::{Vector, at, put};
+
+/// How often rigid contacts may touch or part in one step; more is [`Chatter`](SimulationError::Chatter). What comes to rest with restitution e
+/// touches ln(10⁷)/ln(1/e) times in its last step: 73 times with 0.8, 1604 times with 0.99.
+pub const IMPACTS_PER_STEP: u32 = 16384;
+
+/// Depths at which a step or a start is refused, m or rad; but at least the root of a rounding.
+const INSIDE: f64 = 1e-6;
+
+/// The shortest flight between two touches, as a part of the step; but at least what the rounding of a gap leaves of one.
+const FLIGHT: f64 = 1e-7;
+
+/// What impulses did.
+#[derive(Clone, Copy)]
+pub(super) struct Blow<R> {
+    /// Contacts that opened or closed.
+    pub changed: u32,
+    pub impacts: u32,
+    pub rested: u32,
+    /// What all took, and what some gave, J.
+    pub lost: R,
+    pub gained: R,
+}
+
+/// What of a speed counts for no sliding, in roundings of speeds: from it, friction may hold.
+const SLOW: f64 = 1000.0;
+
+/// The contacts that touch, and how they depend on one another.
+struct Touching<R, V> {
+    /// Gates: of the gaps, then of what slides in them.
+    which: [usize; ROWS],
+    /// W, a column for each.
+    ways: [V; ROWS],
+    problem: Problem<R>,
+}
+
+impl<'m, R, M, F, S, I> Simulation<'m, M, R, F, S, I>
+where
+    R: Real,
+    M: Assemble<R>,
+    F: Formulation<R, M>,
+    I: Method<R>,
+{
+    /// Impulses of what touches and closes, then the forces of what stays closed.
+    pub(super) fn strike(&mut self) -> Result<Blow<R>, SimulationError>
+    where
+        S: InputSource<R, M>,
+    {
+        let mut blow = Blow::none();
+        let (model, time) = (self.model(), self.time());
+        let zeros = || M::Gates::zeros(model.gate_names().len());
+        let mut gaps = zeros();
+        model.guards(time, &self.run.state, &mut gaps, &mut zeros());
+        let (before, ways_before) = (self.run.state.gates.clone(), self.dynamics.ways.clone());
+        let near = near::<R>();
+        let is_gap = |i: usize| pressed_by(model, i).is_none();
+        if !gaps.as_slice().iter().enumerate().any(|(i, gap)| is_gap(i) && *gap <= near) {
+            self.take_gates(&before, zeros(), zeros(), &mut blow);
+            return Ok(blow);
+        }
+        let inputs = self.dynamics.present_inputs(time, &self.run.state.clone());
+        let mut touching = self.touching(&gaps, &inputs)?;
+        let (mut rates, mut right, mut slowest) = self.approach(&touching, &inputs);
+        let closed = |i: usize| at(before.as_slice(), i) > R::ZERO;
+        let rests = |i: usize| match pressed_by(model, i) {
+            None => closed(i),
+            Some(gap) => closed(gap) && at(ways_before.as_slice(), i) == R::ZERO,
+        };
+        let resting = touching.each().filter(|(_, i)| rests(*i)).fold(0, |set, (place, _)| set | 1 << place);
+        if let Some(back) = touching.problem.against(&rates, resting) {
+            // What rests does not move on: what a method leaves of that is taken back, along the way of an impulse.
+            for (along, way) in back.iter().zip(&touching.ways) {
+                self.run.state.v.axpy(*along, way);
+            }
+            for (place, rate) in rates.iter_mut().enumerate() {
+                *rate = *rate + touching.problem.row(place, &back);
+            }
+        }
+        let still = still(self.run.state.v.as_slice());
+        let mut shares = zeros();
+        let v = self.run.state.v.clone();
+        model.strikes(time, &self.run.state.q, &v, &mut zeros(), &mut zeros(), &mut shares);
+        let strikes = touching
+            .gaps()
+            .any(|(place, i)| at(&rates, place) < -still && at(gaps.as_slice(), i) <= R::ZERO && !closed(i));
+        if strikes {
+            let mut bounces = [R::ZERO; ROWS];
+            for (place, i) in touching.gaps() {
+                // What rests has no speed to part with; by Poisson's law it has an impulse.
+                let bounces_off = model.parts_by_impulses() || !closed(i);
+                put(&mut bounces, place, if bounces_off { at(shares.as_slice(), i) } else { R::ZERO });
+            }
+            let problem = &touching.problem;
+            let impulses = match model.parts_by_impulses() {
+                true => problem.poisson(&rates, &bounces, &slowest),
+                false => problem.newton(&rates, &bounces, &slowest),
+            };
+            let Some(impulses) = impulses else {
+                return Err(self.no_impact(&touching));
+            };
+            for (place, i) in touching.gaps() {
+                blow.impacts += u32::from(at(&impulses, place) > R::ZERO && !closed(i));
+            }
+            let (half, mut taken) = (R::from_f64(0.5), R::ZERO);
+            for ((place, _), way) in touching.each().zip(&touching.ways) {
+                self.run.state.v.axpy(at(&impulses, place), way);
+                let twice = at(&rates, place) + at(&rates, place) + problem.row(place, &impulses);
+                taken = taken - half * at(&impulses, place) * twice;
+            }
+            blow.lost = taken.max(R::ZERO);
+            blow.gained = (-taken).max(R::ZERO);
+            (rates, right, slowest) = self.approach(&touching, &inputs);
+        }
+        let slow = R::from_f64(SLOW) * still;
+        for (place, rub) in (touching.problem.gaps..).zip(touching.problem.rubs.iter_mut().flatten()) {
+            let rate = at(&rates, place);
+            rub.way = match () {
+                () if rate > slow => Way::Forwards,
+                () if rate < -slow => Way::Backwards,
+                () => Way::Open,
+            };
+        }
+        let (mut gates, mut ways) = (zeros(), zeros());
+        // What flies no higher than from the slowest bounce.
+        let two = R::from_f64(2.0);
+        let still_near = touching.gaps().filter(|&(place, i)| {
+            let (rate, rest) = (at(&rates, place), at(&slowest, place));
+            let above = if closed(i) { R::ZERO } else { at(gaps.as_slice(), i).max(R::ZERO) };
+            rate * rate + two * (-at(&right, place)).max(R::ZERO) * above <= rest * rest
+        });
+        let near = still_near.fold(0, |set, (place, _)| set | 1 << place);
+        let Some(found) = touching.problem.complementary(&right, &[R::ZERO; ROWS], near) else {
+            return Err(self.no_impact(&touching));
+        };
+        let (mut held, mut pushed) = (0_usize, 0_usize);
+        let mut off = [R::ZERO; ROWS];
+        for (place, i) in touching.gaps() {
+            let (force, gap) = (at(&found.forces, place), at(gaps.as_slice(), i));
+            let rests = force > R::ZERO;
+            put(gates.as_mut_slice(), i, force);
+            held |= usize::from(rests) << place;
+            pushed |= usize::from(rests || gap < R::ZERO) << place;
+            blow.rested += u32::from(rests && !closed(i));
+            put(&mut off, place, gap);
+        }
+        for ((place, rub), way) in touching.problem.rubbing().zip(found.ways) {
+            let i = touching.at(place);
+            put(gates.as_mut_slice(), i, at(&found.forces, place));
+            put(ways.as_mut_slice(), i, way.sign());
+            held |= usize::from(held >> rub.pressed & 1 == 1 && way == Way::Open) << place;
+        }
+        // What is rigid is never inside.
+        if let Some(back) = touching.problem.against(&rates, held) {
+            for (along, way) in back.iter().zip(&touching.ways) {
+                self.run.state.v.axpy(*along, way);
+            }
+        }
+        if let Some(back) = touching.problem.against(&off, pushed) {
+            let mut moved = model.zero_v();
+            for (along, way) in back.iter().zip(&touching.ways) {
+                moved.axpy(*along, way);
+            }
+            let State { v, z, .. } = self.run.state.clone();
+            self.run.state = self.run.state.moved(model.layout(), &moved, v, z);
+        }
+        self.take_gates(&before, gates, ways, &mut blow);
+        if blow.impacts > 0 && !S::HELD {
+            self.dynamics.inputs = None;
+        }
+        Ok(blow)
+    }
+
+    /// The contacts whose gap is closed, and W and G of them and of what slides in them.
+    fn touching(&self, gaps: &M::Gates, inputs: &M::Inputs) -> Result<Touching<R, M::V>, SimulationError> {
+        let (model, time, near) = (self.model(), self.time(), near::<R>());
+        let (mut which, mut count) = ([0; ROWS], 0);
+        let inside = R::from_f64(INSIDE).max(R::EPSILON.sqrt());
+        for (i, &gap) in gaps.as_slice().iter().enumerate() {
+            if gap > near || pressed_by(model, i).is_some() {
+                continue;
+            }
+            if gap < -inside {
+                let (contact, depth) = (self.contact(i), -gap.to_f64());
+                return Err(SimulationError::Inside { contact, time: time.to_f64(), depth });
+            }
+            if count == RIGID_TOUCHING {
+                let (contact, most) = (self.contact(i), RIGID_TOUCHING as u32);
+                return Err(SimulationError::Crowded { contact, time: time.to_f64(), most });
+            }
+            if let Some(place) = which.get_mut(count) {
+                *place = i;
+            }
+            count += 1;
+        }
+        let (gaps, mut rubs) = (count, [None; RIGID_TOUCHING]);
+        let [holding, sliding] = grips(model);
+        for i in 0..model.gate_names().len() {
+            let Some(gap) = pressed_by(model, i) else { continue };
+            let Some(pressed) = which.iter().take(gaps).position(|gate| *gate == gap) else { continue };
+            if let (Some(place), Some(rub)) = (which.get_mut(count), rubs.get_mut(count - gaps)) {
+                *place = i;
+                let (holding, sliding) = (at(holding.as_slice(), i), at(sliding.as_slice(), i));
+                *rub = Some(Rub { pressed, holding, sliding, way: Way::Open });
+                count += 1;
+            }
+        }
+        let state = self.dynamics.opened(&self.run.state);
+        let mut store = model.store();
+        model.factor(time, &state.q, R::ZERO, &mut store);
+        let drifts = self.rates_at(&model.zero_v());
+        let ways: [M::V; ROWS] = core::array::from_fn(|place| {
+            let mut way = model.zero_v();
+            if place < count {
+                self.way(at_index(&which, place), &store, inputs, &mut way);
+            }
+            way
+        });
+        let mut matrix = [[R::ZERO; ROWS]; ROWS];
+        for (column, way) in ways.iter().enumerate().take(count) {
+            let moved = self.rates_at(way);
+            for (row, &j) in matrix.iter_mut().zip(&which).take(count) {
+                put(row, column, at(moved.as_slice(), j) - at(drifts.as_slice(), j));
+            }
+        }
+        Ok(Touching { which, ways, problem: Problem { matrix, gaps, rubs } })
+    }
+
+    /// The column of W of one contact.
+    fn way(&self, contact: usize, store: &M::Store, inputs: &M::Inputs, way: &mut M::V) {
+        let (model, time) = (self.model(), self.time());
+        let mut state = self.dynamics.opened(&State { v: model.zero_v(), ..self.run.state.clone() });
+        // Forces are linear in the gate.
+        let (mut none, mut some) = (model.zero_v(), model.zero_v());
+        model.forces(time, &state, inputs, &mut none);
+        let size = none.max_abs().max(R::ONE);
+        put(state.gates.as_mut_slice(), contact, size);
+        model.forces(time, &state, inputs, &mut some);
+        some.axpy(-R::ONE, &none);
+        model.solve(store, &some.scaled(R::ONE / size), &model.zero_lambda(), way, &mut model.zero_lambda());
+    }
+
+    /// The rates of all gaps with these velocities.
+    fn rates_at(&self, v: &M::V) -> M::Gates {
+        let model = self.model();
+        let zeros = || M::Gates::zeros(model.gate_names().len());
+        let mut rates = zeros();
+        model.strikes(self.time(), &self.run.state.q, v, &mut rates, &mut zeros(), &mut zeros());
+        rates
+    }
+
+    /// Of all that touch and of what slides in them: the rate, its derivative with all of them open, and the speed below which they do not bounce.
+    fn approach(&self, touching: &Touching<R, M::V>, inputs: &M::Inputs) -> (Few<R>, Few<R>, Few<R>) {
+        let (model, time) = (self.model(), self.time());
+        let zeros = || M::Gates::zeros(model.gate_names().len());
+        let state = self.dynamics.opened(&self.run.state);
+        let (a, _, _) = self.dynamics.free(time, &state, inputs);
+        let (mut rates, mut biases, mut shares) = (zeros(), zeros(), zeros());
+        model.strikes(time, &state.q, &state.v, &mut rates, &mut biases, &mut shares);
+        let (drifts, free) = (self.rates_at(&model.zero_v()), self.rates_at(&a));
+        let still = still(state.v.as_slice());
+        let rounding = R::from_f64(4.0) * R::EPSILON * state.q.max_abs();
+        let half = R::from_f64(0.5 * FLIGHT) * self.run.step.unwrap_or(R::ONE);
+        let mut all = ([R::ZERO; ROWS], [R::ZERO; ROWS], [R::ZERO; ROWS]);
+        for (place, i) in touching.each() {
+            let bend = at(free.as_slice(), i) - at(drifts.as_slice(), i) + at(biases.as_slice(), i);
+            put(&mut all.0, place, at(rates.as_slice(), i));
+            put(&mut all.1, place, bend);
+            let share = at(shares.as_slice(), i);
+            let bounces = R::ONE - share * share;
+            let rest = if bounces > R::ZERO {
+                let fall = (-bend).max(R::ZERO);
+                // Or the one that gaps as they are rounded let it have over and over: between two of them it gains √(2 g̈ ε), and keeps that.
+                (half * fall).max((R::from_f64(8.0) * fall * rounding / bounces).sqrt())
+            } else {
+                R::ZERO
+            };
+            put(&mut all.2, place, still.max(rest));
+        }
+        all
+    }
+
+    fn take_gates(&mut self, before: &M::Gates, gates: M::Gates, ways: M::Gates, blow: &mut Blow<R>) {
+        let opened = |i: usize| (at(before.as_slice(), i) > R::ZERO) != (at(gates.as_slice(), i) > R::ZERO);
+        let turned = |i: usize| at(self.dynamics.ways.as_slice(), i) != at(ways.as_slice(), i);
+        let model = self.model();
+        let changed = (0..model.gate_names().len()).filter(|i| match pressed_by(model, *i) {
+            None => opened(*i),
+            Some(_) => turned(*i),
+        });
+        blow.changed = changed.count() as u32;
+        self.run.state.gates = gates;
+        self.dynamics.ways = ways;
+        if blow.changed > 0 || blow.impacts > 0 {
+            // What a method carries from step to step is of the motion before.
+            self.memory = self.integrator.memory();
+        }
+    }
+
+    fn no_impact(&self, touching: &Touching<R, M::V>) -> SimulationError {
+        SimulationError::NoImpact { contact: self.contact(touching.at(0)), time: self.time().to_f64() }
+    }
+}
+
+impl<R: Real> Blow<R> {
+    pub fn none() -> Self {
+        Blow { changed: 0, impacts: 0, rested: 0, lost: R::ZERO, gained: R::ZERO }
+    }
+}
+
+impl<R: Real, V> Touching<R, V> {
+    /// Their rows, and which gates they are.
+    fn each(&self) -> impl Iterator<Item = (usize, usize)> {
+        self.which.iter().copied().enumerate().take(self.problem.count())
+    }
+
+    /// Those of gaps.
+    fn gaps(&self) -> impl Iterator<Item = (usize, usize)> {
+        self.each().take(self.problem.gaps)
+    }
+
+    fn at(&self, place: usize) -> usize {
+        at_index(&self.which, place)
+    }
+}
+
+fn at_index(which: &[usize; ROWS], place: usize) -> usize {
+    which.get(place).copied().unwrap_or(0)
+}
