@@ -1,10 +1,7 @@
 //! Dry friction of rigid contacts: it holds, slides and turns as closed forms say, in touches too; errors where it jams. The toy that pecks its way
 //! down by it.
 
-use linkwright::{
-    Baumgarte, DormandPrince, LagrangeIndex1, Mechanism, Projected, Rk4, SemiImplicitEuler, Simulation,
-    SimulationError,
-};
+use linkwright::{DormandPrince, LagrangeIndex1, Rk4, SemiImplicitEuler, Simulation, SimulationError};
 use linkwright_models::woodpecker::Woodpecker;
 
 linkwright::mechanism! {
@@ -73,12 +70,12 @@ linkwright::mechanism! {
         param share [1] = 0.5;
         rod upper { mass [kg] = 1; length [m] = 1; }
         rod lower { mass [kg] = 1; length [m] = 1; surface tip: point(lower.end); }
-        surface floor: half_plane(line(ground(0, -1.5) [m], ground(1, -1.5) [m]));
+        surface floor: half_plane(line(ground(0, -1.81) [m], ground(1, -1.81) [m]));
         joint hip: revolute(ground(0, 0) [m], upper.start);
         joint knee: revolute(upper.end, lower.start);
         contact strikes: between(lower.tip, floor) = rigid(restitution = share);
         friction rub: on(strikes) = dry(static = grip);
-        start { hip.angle [deg] = -80; knee.angle [deg] = 43; hip.rate [rad/s] = -1; knee.rate [rad/s] = -3; }
+        start { hip.angle [deg] = -70; knee.angle [deg] = 10; hip.rate [rad/s] = -0.1; knee.rate [rad/s] = -0.1; }
         output height [m] = strikes.gap;
         output sliding [m/s] = strikes.sliding;
         output closing [m/s] = strikes.closing;
@@ -92,12 +89,12 @@ linkwright::mechanism! {
         param share [1] = 0.5;
         rod upper { mass [kg] = 1; length [m] = 1; }
         rod lower { mass [kg] = 1; length [m] = 1; surface tip: point(lower.end); }
-        surface floor: half_plane(line(ground(0, -1.5) [m], ground(1, -1.5) [m]));
+        surface floor: half_plane(line(ground(0, -1.81) [m], ground(1, -1.81) [m]));
         joint hip: revolute(ground(0, 0) [m], upper.start);
         joint knee: revolute(upper.end, lower.start);
         contact strikes: between(lower.tip, floor) = rigid(restitution = share);
         friction rub: on(strikes) = dry(static = grip);
-        start { hip.angle [deg] = -80; knee.angle [deg] = 43; hip.rate [rad/s] = -1; knee.rate [rad/s] = -3; }
+        start { hip.angle [deg] = -70; knee.angle [deg] = 10; hip.rate [rad/s] = -0.1; knee.rate [rad/s] = -0.1; }
         options { impact = poisson; }
         output height [m] = strikes.gap;
     }
@@ -112,7 +109,7 @@ linkwright::mechanism! {
         surface floor: half_plane(line(ground(0, 0) [m], ground(1, 0) [m]));
         contact stands: between(rod.tip, floor) = rigid(restitution = 0);
         friction rub: on(stands) = dry(static = grip);
-        start { rod.start.x [m] = 0; rod.start.y [m] = 0; rod.angle [deg] = 120; rod.rate [rad/s] = 0; rod.start.velocity.x [m/s] = -1; rod.start.velocity.y [m/s] = 0; }
+        start { rod.start.x [m] = 0; rod.start.y [m] = 0; rod.angle [deg] = 120; rod.rate [rad/s] = 0; rod.start.velocity.x [m/s] = 1; rod.start.velocity.y [m/s] = 0; }
         output force [N] = stands.force;
     }
 }
@@ -163,7 +160,7 @@ fn close(found: f64, expected: f64, within: f64, what: &str) {
 }
 
 fn block(slope: f64) -> Block {
-    Block::new(BlockParameters { slope: slope.to_radians(), ..BlockParameters::default() }).expect("a slope")
+    Block::prepare(BlockParameters { slope: slope.to_radians() }).expect("a slope")
 }
 
 /// With g, μ and α: it stops after v²/(2 g (sin α + μ cos α)), and there it stays where tan α < μ.
@@ -183,7 +180,12 @@ fn a_block_stops_on_a_slope_and_stays() {
     close(outputs.force, 2.0 * 9.81 * angle.sin(), 1e-10, "what holds");
     // Where both hold the same, both hold alike.
     close(outputs.share, 0.0, 1e-5, "how differently both hold");
-    close(outputs.friction, -2.0 * 9.81 * angle.cos() * 0.5 * 0.251_117_160_261_027, 1e-9, "what friction took");
+    close(
+        outputs.friction,
+        -2.0 * 9.81 * angle.cos() * 0.5 * 0.251_117_160_261_027,
+        1e-9,
+        "what friction took",
+    );
 }
 
 /// Where tan α > μ it slides back.
@@ -194,7 +196,7 @@ fn a_block_slides_back_down_a_steep_slope() {
     let run = |h: f64| Simulation::new(&model, Block::START).step(h);
     methods[0] = run(1e-3).run_until(1.0, |_| {}).expect("it moves").q[0];
     methods[1] =
-        run(1e-3).integrator(DormandPrince::default()).run_until(1.0, |_| {}).expect("it moves").q[0];
+        run(1e-3).integrator(DormandPrince::tolerance(1e-11)).run_until(1.0, |_| {}).expect("it moves").q[0];
     methods[2] = run(1e-3).formulation(LagrangeIndex1).run_until(1.0, |_| {}).expect("it moves").q[0];
     methods[3] = run(1e-5).integrator(SemiImplicitEuler).run_until(1.0, |_| {}).expect("it moves").q[0];
     for (found, within) in methods.into_iter().zip([1e-11, 1e-9, 1e-11, 2e-4]) {
@@ -205,7 +207,7 @@ fn a_block_slides_back_down_a_steep_slope() {
 }
 
 fn thrown(bounces: f64, grip: f64) -> Thrown {
-    Thrown::new(ThrownParameters { bounces, grip }).expect("a disk")
+    Thrown::prepare(ThrownParameters { bounces, grip }).expect("a disk")
 }
 
 /// A disk rolls from t = v/(3 μ g) on, with 2/3 v.
@@ -292,7 +294,7 @@ fn a_block_on_a_belt_sticks_and_slips() {
 /// A belt that lets go into no friction at all swings for 2π − 2 atan(…): what slides may do so freely.
 #[test]
 fn nothing_may_slide() {
-    let model = Carried::new(CarriedParameters { kinetic: 0.0 }).expect("a belt");
+    let model = Carried::prepare(CarriedParameters { kinetic: 0.0 }).expect("a belt");
     let mut simulation = Simulation::new(&model, Carried::START).step(1e-3);
     simulation.advance_until(5.0 + 1.0).expect("it moves");
     let (x, v) = (1.0_f64, 0.2_f64);
@@ -306,29 +308,29 @@ fn energy_from_a_touch_is_told() {
     let (mut gained, mut touches) = (0, 0);
     for grip in [0.0, 0.2, 0.5, 0.8, 1.2] {
         for share in [0.3, 0.7, 0.9] {
-            for rate in [-3.0, 2.0, 6.0] {
-                let model = Tipped::new(TippedParameters { grip, share }).expect("rods");
+            for rates in [[-0.1, -0.2], [-0.3, -0.1], [0.1, -0.4], [-0.5, 0.2]] {
+                let model = Tipped::prepare(TippedParameters { grip, share }).expect("rods");
                 let mut start = Tipped::START;
-                start.v[1] = rate;
+                start.v = rates;
                 let mut simulation = Simulation::new(&model, start).step(1e-4);
                 let (mut before, mut energy) = (simulation.sample().outputs, simulation.energy());
                 let mut by_impulses = {
                     let model =
-                        TippedByImpulses::new(TippedByImpulsesParameters { grip, share }).expect("rods");
+                        TippedByImpulses::prepare(TippedByImpulsesParameters { grip, share }).expect("rods");
                     let mut start = TippedByImpulses::START;
-                    start.v[1] = rate;
+                    start.v = rates;
                     let mut simulation = Simulation::new(&model, start).step(1e-4);
                     let mut found = None;
-                    while found.is_none() && simulation.time() < 2.0 {
+                    while found.is_none() && simulation.time() < 0.5 {
                         let step = simulation.advance().expect("it swings");
                         found = (step.impacts > 0).then_some(step);
                     }
                     found
                 };
-                while simulation.time() < 2.0 {
+                while simulation.time() < 0.5 {
                     let step = match simulation.advance() {
                         Ok(step) => step,
-                        Err(error) => panic!("{grip}, {share}, {rate}: {error}"),
+                        Err(error) => panic!("{grip}, {share}, {rates:?}: {error}"),
                     };
                     if step.impacts == 0 {
                         (before, energy) = (simulation.sample().outputs, simulation.energy());
@@ -344,7 +346,7 @@ fn energy_from_a_touch_is_told() {
                         "restitution",
                     );
                     assert!(step.gained == 0.0 || step.lost == 0.0);
-                    gained += u32::from(step.gained > 1e-3);
+                    gained += u32::from(step.gained > 1e-4);
                     touches += 1;
                     let other = by_impulses.take().expect("it touches");
                     close(other.gained, 0.0, 1e-12, "gained by Poisson's law");
@@ -355,20 +357,20 @@ fn energy_from_a_touch_is_told() {
         }
     }
     println!("{touches} touches, {gained} gained energy by Newton's law");
-    assert!(touches >= 30 && gained >= 1, "{touches} touches, {gained} gained");
+    assert!(touches >= 30 && gained >= 5, "{touches} touches, {gained} gained");
 }
 
-/// A rod at θ to the floor slides on its tip: N = m (g − …)/(1 + 3 cos θ (cos θ − μ sin θ)), until that has no solution.
+/// A rod at θ to the floor slides on its tip: N = m g/(1 + 3 cos θ (cos θ + μ sin θ)), which has no solution below zero.
 #[test]
 fn a_rod_that_jams_is_an_error() {
-    let model = Painleve::new(PainleveParameters { grip: 0.3 }).expect("a rod");
+    let model = Painleve::prepare(PainleveParameters { grip: 0.3 }).expect("a rod");
     let mut simulation = Simulation::new(&model, Painleve::START).step(1e-5);
     simulation.advance().expect("it slides");
     let (sin, cos) = (120.0_f64.to_radians().sin(), 120.0_f64.to_radians().cos());
-    // With m = l = 1: ÿ_tip = N (1 + 3 cos² θ) + 3 cos θ sin θ σ μ N − g, θ at rest, the tip slides with σ = −1.
+    // With m = l = 1 the tip slides with σ = 1: ÿ = N (1 + 3 cos² θ) + 3 μ N sin θ cos θ − g at rest.
     let pressed = 9.81 / (1.0 + 3.0 * cos * (cos + 0.3 * sin));
     close(simulation.sample().outputs.force, pressed, 1e-3, "what presses the tip");
-    let model = Painleve::new(PainleveParameters { grip: 3.0 }).expect("a rod");
+    let model = Painleve::prepare(PainleveParameters { grip: 3.0 }).expect("a rod");
     let error =
         Simulation::new(&model, Painleve::START).step(1e-4).run_until(0.1, |_| {}).expect_err("it jams");
     println!("{error}");
@@ -381,28 +383,47 @@ fn a_rod_that_jams_is_an_error() {
 fn a_woodpecker_pecks_its_way_down() {
     let model = Published::default();
     let mut simulation = Simulation::new(&model, Published::START).step(1e-4);
-    let (mut cycles, mut last) = (Vec::new(), 0.0);
+    let (mut cycles, mut last) = (Vec::new(), (0.0, 0.0));
     let level = linkwright::Event::of("bird_angle").level(-0.2788).falling().tolerance(1e-12);
-    while cycles.len() < 12 {
+    while cycles.len() < 8 {
         simulation.run_until_event(5.0, &[level], |_| {}).expect("it pecks").expect("it goes on");
         let outputs = simulation.sample().outputs;
-        cycles.push([simulation.time() - last, outputs.height, outputs.rate, outputs.bird_rate]);
-        last = simulation.time();
+        cycles.push([simulation.time() - last.0, last.1 - outputs.height, outputs.rate, outputs.bird_rate]);
+        last = (simulation.time(), outputs.height);
     }
-    for cycle in &cycles {
-        println!("{cycle:?}");
+    let [period, height, rate, bird_rate] = limit(&cycles);
+    println!("small angles: {period} s a cycle, {height} m down, {rate} m/s, {bird_rate} rad/s");
+    close(rate, -0.3411, 2e-3, "the sleeve's speed, as it was published");
+    close(bird_rate, -7.4583, 6e-3, "the bird's rate, as it was published");
+    close(period, 0.145_975, 2e-6, "its period");
+    for h in [1e-4, 4e-5] {
+        let model = Woodpecker::default();
+        let mut simulation = Simulation::new(&model, Woodpecker::START).step(h);
+        let (mut cycles, mut last) = (Vec::new(), (0.0, 0.0));
+        while cycles.len() < 6 {
+            simulation.run_until_event(5.0, &[level], |_| {}).expect("it pecks").expect("it goes on");
+            let outputs = simulation.sample().outputs;
+            cycles.push([
+                simulation.time() - last.0,
+                last.1 - outputs.height,
+                outputs.rate,
+                outputs.bird_rate,
+            ]);
+            last = (simulation.time(), outputs.height);
+        }
+        let [period, height, rate, bird_rate] = limit(&cycles);
+        close(period, 0.130_747_522_0, 1e-9, "the period of what turns");
+        close(height, 0.014_496_909_6, 1e-9, "how far it comes down");
+        close(rate, -0.278_693_578, 1e-8, "the sleeve's speed");
+        close(bird_rate, -8.145_936_98, 1e-7, "the bird's rate");
     }
-    let [.., [_, before, ..], [period, height, rate, bird_rate]] = cycles[..] else { panic!("too few") };
-    close(rate, -0.3411, 6e-5, "the sleeve's speed, as it was published");
-    close(bird_rate, -7.4583, 6e-5, "the bird's rate, as it was published");
-    println!("{period} s a cycle, {} m", before - height);
-    let model = Woodpecker::default();
-    let mut simulation = Simulation::new(&model, Woodpecker::START).step(1e-4);
-    let mut last = 0.0;
-    for _ in 0..12 {
-        simulation.run_until_event(5.0, &[level], |_| {}).expect("it pecks").expect("it goes on");
-        let outputs = simulation.sample().outputs;
-        println!("{} {} {} {}", simulation.time() - last, outputs.height, outputs.rate, outputs.bird_rate);
-        last = simulation.time();
-    }
+}
+
+/// Where a sequence leads that comes nearer by the same part each time, by its last three members (Aitken).
+fn limit(cycles: &[[f64; 4]]) -> [f64; 4] {
+    let [.., a, b, c] = cycles else { panic!("three cycles") };
+    core::array::from_fn(|k| {
+        let (first, second) = (b[k] - a[k], c[k] - b[k]);
+        c[k] - second * second / (second - first)
+    })
 }

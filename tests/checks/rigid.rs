@@ -70,6 +70,22 @@ linkwright::mechanism! {
     }
 }
 
+linkwright::mechanism! {
+    /// A ball on a slope, which slides down to a wall: only by the slope does it come near the wall.
+    planar Cornered {
+        gravity [m/s^2] = (0, -9.81);
+        particle ball { mass [kg] = 2; }
+        surface below: point(ball.center);
+        surface slope: half_plane(line(ground(0, 0) [m], ground(1, 0.5) [m]));
+        surface wall: half_plane(line(ground(0, 1) [m], ground(0, 0) [m]));
+        contact lies: between(below, slope) = rigid(restitution = 0);
+        contact strikes: between(below, wall) = rigid(restitution = 0.5);
+        start { ball.center.x [m] = 0.4; ball.center.y [m] = 0.2; }
+        output lies [N] = lies.force;
+        output strikes [N] = strikes.force;
+    }
+}
+
 #[track_caller]
 fn close(found: f64, expected: f64, within: f64, what: &str) {
     println!("{what}: {found:.15}, {:.1e} off (bound {within:.0e})", (found - expected).abs());
@@ -393,4 +409,27 @@ fn methods_that_iterate_on_residuals_are_refused() {
         )* };
     }
     refuses!(ImplicitTrapezoidal::<f64>::default(), GeneralisedAlpha::new(0.8), Ali3p::new(1e8));
+}
+
+/// It bounces ever less, by what the slope makes of gravity alone, and rests in the corner.
+#[test]
+fn what_lies_on_a_slope_comes_to_rest_at_a_wall() {
+    let model = Cornered::default();
+    let mut simulation = Simulation::new(&model, Cornered::START).step(1e-3);
+    // Along the slope 0.2 √5 m at g/√5; all bounces take 2 e/(1 − e) times the way down.
+    let falls = (2.0_f64 * 0.2 * 5.0_f64.sqrt() / (9.81 / 5.0_f64.sqrt())).sqrt();
+    let (mut impacts, mut rested) = (0, 0.0);
+    while simulation.time() < 3.0 {
+        let step = simulation.advance().expect("it slides");
+        impacts += step.impacts;
+        if step.rested > 0 {
+            rested = step.time;
+        }
+    }
+    println!("{impacts} impacts, at rest from {rested} s on");
+    assert!(impacts < 40, "{impacts} impacts");
+    close(rested, 3.0 * falls, 1e-3, "time at which it rests");
+    let outputs = simulation.sample().outputs;
+    close(outputs.lies, 2.0 * 9.81 * 5.0_f64.sqrt() / 2.0, 1e-11, "what the slope bears");
+    close(outputs.strikes, 2.0 * 9.81 / 2.0, 1e-11, "what the wall bears");
 }

@@ -174,7 +174,8 @@ impl Lowering<'_> {
                     Sliding::Surfaces(_) if self.definition.space == Space::Planar => 1,
                     Sliding::Surfaces(_) => 3,
                 };
-                loads[contact.0].slides.iter().map(each).sum()
+                // Where a load was refused, which is said, the others are not where they belong.
+                loads.get(contact.0).map_or(0, |contact| contact.slides.iter().map(each).sum())
             }
             _ => 0,
         }

@@ -10,7 +10,7 @@
 use crate::real::Real;
 use crate::vector::{at, dot, put};
 
-/// How many rigid contacts may touch at one time: all 2⁴ ways in which they may push are tried, and with dry friction in each all 5⁴ in which
+/// How many rigid contacts may touch at one time: all 2⁴ ways in which they may push are tried, and with dry friction in each all 4⁴ in which
 /// they may push, hold and slide.
 pub const RIGID_TOUCHING: usize = 4;
 
@@ -115,8 +115,11 @@ impl<R: Real> Problem<R> {
         Some(core::array::from_fn(|place| at(&given, place) + at(&more, place)))
     }
 
+    /// All of them, which may go on any way.
     fn all(&self, right: &Few<R>, pressed: &Few<R>) -> Option<Few<R>> {
-        self.complementary(right, pressed, (1 << self.gaps) - 1).map(|found| found.forces)
+        let rubs = self.rubs.map(|rub| rub.map(|rub| Rub { way: Way::Open, ..rub }));
+        let any = Problem { rubs, ..self.clone() };
+        any.complementary(right, pressed, (1 << self.gaps) - 1).map(|found| found.forces)
     }
 
     /// The first way of all that solves it with gaps in `among`; other gaps have zero. `pressed` is what presses beside it.

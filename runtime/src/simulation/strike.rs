@@ -51,6 +51,15 @@ struct Touching<R, V> {
     problem: Problem<R>,
 }
 
+/// How contacts that touch approach: of each row its rate, and the derivative of that with all contacts open; of each gap how it falls, with those
+/// closed that were, and the speed below which it does not bounce.
+struct Approach<R> {
+    rates: Few<R>,
+    bends: Few<R>,
+    falls: Few<R>,
+    slowest: Few<R>,
+}
+
 impl<'m, R, M, F, S, I> Simulation<'m, M, R, F, S, I>
 where
     R: Real,
@@ -77,19 +86,19 @@ where
         }
         let inputs = self.dynamics.present_inputs(time, &self.run.state.clone());
         let mut touching = self.touching(&gaps, &inputs)?;
-        let (mut rates, mut right, mut slowest) = self.approach(&touching, &inputs);
         let closed = |i: usize| at(before.as_slice(), i) > R::ZERO;
+        let mut approach = self.approach(&mut touching, &inputs, closed);
         let rests = |i: usize| match pressed_by(model, i) {
             None => closed(i),
             Some(gap) => closed(gap) && at(ways_before.as_slice(), i) == R::ZERO,
         };
         let resting = touching.each().filter(|(_, i)| rests(*i)).fold(0, |set, (place, _)| set | 1 << place);
-        if let Some(back) = touching.problem.against(&rates, resting) {
+        if let Some(back) = touching.problem.against(&approach.rates, resting) {
             // What rests does not move on: what a method leaves of that is taken back, along the way of an impulse.
             for (along, way) in back.iter().zip(&touching.ways) {
                 self.run.state.v.axpy(*along, way);
             }
-            for (place, rate) in rates.iter_mut().enumerate() {
+            for (place, rate) in approach.rates.iter_mut().enumerate() {
                 *rate = *rate + touching.problem.row(place, &back);
             }
         }
@@ -97,9 +106,9 @@ where
         let mut shares = zeros();
         let v = self.run.state.v.clone();
         model.strikes(time, &self.run.state.q, &v, &mut zeros(), &mut zeros(), &mut shares);
-        let strikes = touching
-            .gaps()
-            .any(|(place, i)| at(&rates, place) < -still && at(gaps.as_slice(), i) <= R::ZERO && !closed(i));
+        let strikes = touching.gaps().any(|(place, i)| {
+            at(&approach.rates, place) < -still && at(gaps.as_slice(), i) <= R::ZERO && !closed(i)
+        });
         if strikes {
             let mut bounces = [R::ZERO; ROWS];
             for (place, i) in touching.gaps() {
@@ -107,10 +116,10 @@ where
                 let bounces_off = model.parts_by_impulses() || !closed(i);
                 put(&mut bounces, place, if bounces_off { at(shares.as_slice(), i) } else { R::ZERO });
             }
-            let problem = &touching.problem;
+            let (problem, Approach { rates, slowest, .. }) = (&touching.problem, &approach);
             let impulses = match model.parts_by_impulses() {
-                true => problem.poisson(&rates, &bounces, &slowest),
-                false => problem.newton(&rates, &bounces, &slowest),
+                true => problem.poisson(rates, &bounces, slowest),
+                false => problem.newton(rates, &bounces, slowest),
             };
             let Some(impulses) = impulses else {
                 return Err(self.no_impact(&touching));
@@ -121,32 +130,24 @@ where
             let (half, mut taken) = (R::from_f64(0.5), R::ZERO);
             for ((place, _), way) in touching.each().zip(&touching.ways) {
                 self.run.state.v.axpy(at(&impulses, place), way);
-                let twice = at(&rates, place) + at(&rates, place) + problem.row(place, &impulses);
+                let twice = at(rates, place) + at(rates, place) + problem.row(place, &impulses);
                 taken = taken - half * at(&impulses, place) * twice;
             }
             blow.lost = taken.max(R::ZERO);
             blow.gained = (-taken).max(R::ZERO);
-            (rates, right, slowest) = self.approach(&touching, &inputs);
+            approach = self.approach(&mut touching, &inputs, closed);
         }
-        let slow = R::from_f64(SLOW) * still;
-        for (place, rub) in (touching.problem.gaps..).zip(touching.problem.rubs.iter_mut().flatten()) {
-            let rate = at(&rates, place);
-            rub.way = match () {
-                () if rate > slow => Way::Forwards,
-                () if rate < -slow => Way::Backwards,
-                () => Way::Open,
-            };
-        }
+        let Approach { rates, bends, falls, slowest } = approach;
         let (mut gates, mut ways) = (zeros(), zeros());
         // What flies no higher than from the slowest bounce.
         let two = R::from_f64(2.0);
         let still_near = touching.gaps().filter(|&(place, i)| {
             let (rate, rest) = (at(&rates, place), at(&slowest, place));
             let above = if closed(i) { R::ZERO } else { at(gaps.as_slice(), i).max(R::ZERO) };
-            rate * rate + two * (-at(&right, place)).max(R::ZERO) * above <= rest * rest
+            rate * rate + two * at(&falls, place) * above <= rest * rest
         });
         let near = still_near.fold(0, |set, (place, _)| set | 1 << place);
-        let Some(found) = touching.problem.complementary(&right, &[R::ZERO; ROWS], near) else {
+        let Some(found) = touching.problem.complementary(&bends, &[R::ZERO; ROWS], near) else {
             return Err(self.no_impact(&touching));
         };
         let (mut held, mut pushed) = (0_usize, 0_usize);
@@ -265,35 +266,61 @@ where
         rates
     }
 
-    /// Of all that touch and of what slides in them: the rate, its derivative with all of them open, and the speed below which they do not bounce.
-    fn approach(&self, touching: &Touching<R, M::V>, inputs: &M::Inputs) -> (Few<R>, Few<R>, Few<R>) {
+    /// How all that touches approaches, and which way it slides.
+    fn approach(
+        &self,
+        touching: &mut Touching<R, M::V>,
+        inputs: &M::Inputs,
+        closed: impl Fn(usize) -> bool,
+    ) -> Approach<R> {
         let (model, time) = (self.model(), self.time());
         let zeros = || M::Gates::zeros(model.gate_names().len());
         let state = self.dynamics.opened(&self.run.state);
         let (a, _, _) = self.dynamics.free(time, &state, inputs);
-        let (mut rates, mut biases, mut shares) = (zeros(), zeros(), zeros());
-        model.strikes(time, &state.q, &state.v, &mut rates, &mut biases, &mut shares);
+        let (mut own, mut biases, mut shares) = (zeros(), zeros(), zeros());
+        model.strikes(time, &state.q, &state.v, &mut own, &mut biases, &mut shares);
         let (drifts, free) = (self.rates_at(&model.zero_v()), self.rates_at(&a));
-        let still = still(state.v.as_slice());
-        let rounding = R::from_f64(4.0) * R::EPSILON * state.q.max_abs();
-        let half = R::from_f64(0.5 * FLIGHT) * self.run.step.unwrap_or(R::ONE);
-        let mut all = ([R::ZERO; ROWS], [R::ZERO; ROWS], [R::ZERO; ROWS]);
+        let (mut rates, mut bends) = ([R::ZERO; ROWS], [R::ZERO; ROWS]);
         for (place, i) in touching.each() {
             let bend = at(free.as_slice(), i) - at(drifts.as_slice(), i) + at(biases.as_slice(), i);
-            put(&mut all.0, place, at(rates.as_slice(), i));
-            put(&mut all.1, place, bend);
+            put(&mut rates, place, at(own.as_slice(), i));
+            put(&mut bends, place, bend);
+        }
+        let still = still(state.v.as_slice());
+        let slow = R::from_f64(SLOW) * still;
+        for (place, rub) in (touching.problem.gaps..).zip(touching.problem.rubs.iter_mut().flatten()) {
+            let rate = at(&rates, place);
+            rub.way = match () {
+                () if rate > slow => Way::Forwards,
+                () if rate < -slow => Way::Backwards,
+                () => Way::Open,
+            };
+        }
+        // What lies on something falls on another by what both do together.
+        let resting = touching.gaps().filter(|(_, i)| closed(*i)).fold(0, |set, (place, _)| set | 1 << place);
+        let held = match resting {
+            0 => None,
+            resting => touching.problem.complementary(&bends, &[R::ZERO; ROWS], resting),
+        };
+        let rounding = R::from_f64(4.0) * R::EPSILON * state.q.max_abs();
+        let half = R::from_f64(0.5 * FLIGHT) * self.run.step.unwrap_or(R::ONE);
+        let (mut falls, mut slowest) = ([R::ZERO; ROWS], [still; ROWS]);
+        for (place, i) in touching.gaps() {
+            let pushed = match &held {
+                Some(held) if !closed(i) => touching.problem.row(place, &held.forces),
+                _ => R::ZERO,
+            };
+            let fall = (-(at(&bends, place) + pushed)).max(R::ZERO);
+            put(&mut falls, place, fall);
             let share = at(shares.as_slice(), i);
             let bounces = R::ONE - share * share;
-            let rest = if bounces > R::ZERO {
-                let fall = (-bend).max(R::ZERO);
+            if bounces > R::ZERO {
                 // Or the one that gaps as they are rounded let it have over and over: between two of them it gains √(2 g̈ ε), and keeps that.
-                (half * fall).max((R::from_f64(8.0) * fall * rounding / bounces).sqrt())
-            } else {
-                R::ZERO
-            };
-            put(&mut all.2, place, still.max(rest));
+                let rest = (half * fall).max((R::from_f64(8.0) * fall * rounding / bounces).sqrt());
+                put(&mut slowest, place, still.max(rest));
+            }
         }
-        all
+        Approach { rates, bends, falls, slowest }
     }
 
     fn take_gates(&mut self, before: &M::Gates, gates: M::Gates, ways: M::Gates, blow: &mut Blow<R>) {

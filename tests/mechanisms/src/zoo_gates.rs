@@ -95,7 +95,7 @@ linkwright::mechanism! {
 }
 
 linkwright::mechanism! {
-    /// A disk between a plank that swings and a rocker, and a bar on a floor that moves, all with dry friction where they touch.
+    /// A disk between a plank that swings and a rocker, and a bar on a slope and on something that shakes, all with dry friction where they touch.
     pub planar Gripping {
         param hold [1] = 0.6;
         param slide [1] = 0.4;
@@ -105,14 +105,14 @@ linkwright::mechanism! {
                      line top = (plank.left, plank.right); surface deck: half_plane(plank.top); }
         disk rocker { mass [kg] = 3; radius [m] = 0.3; }
         rod bar { mass [kg] = 1.5; length [m] = 0.8; surface sole: segment(bar.start, bar.end, radius [m] = 0.05); }
-        surface floor: half_plane(line(ground(0.3 [m]*sin(3 [rad/s]*time), -0.5 [m]), ground(1 [m] + 0.3 [m]*sin(3 [rad/s]*time), -0.45 [m])));
+        surface floor: half_plane(line(ground(0, -0.5) [m], ground(1, -0.45) [m]));
         joint pivot: revolute(ground(0, 0) [m], plank.center);
         joint axle: revolute(ground(1.05, 0.45) [m], rocker.center);
         torsion_spring level: torsion_spring(pivot, stiffness [N*m/rad] = 60, angle [rad] = 0);
         contact rides: between(wheel.surface, plank.deck) = rigid(restitution = 0.3);
         contact meets: between(rocker.surface, wheel.surface) = rigid(restitution = 0.5);
         contact falls: between(floor, bar.sole) = rigid(restitution = 0.2);
-        contact drops: gap(bar.center.y + 0.3 [m], slip = bar.center.x + 0.1 [m]*sin(bar.angle)) = rigid(restitution = 0);
+        contact drops: gap(bar.center.y + 0.3 [m], slip = bar.center.x + 0.1 [m]*sin(bar.angle + 3 [rad/s]*time)) = rigid(restitution = 0);
         friction rolls: on(rides) = dry(static = hold, kinetic = slide);
         friction turns: on(meets) = dry(static = 0.5);
         friction lies: on(falls) = dry(static = 0.3, kinetic = 0.2);

@@ -1,4 +1,4 @@
-//! Friction that sticks exactly.
+//! Friction that sticks exactly, in a joint.
 
 linkwright::mechanism! {
     planar Mount {

@@ -1,0 +1,14 @@
+//! Dry friction without what holds.
+
+linkwright::mechanism! {
+    planar Floor {
+        gravity [m/s^2] = (0, -9.81);
+        disk ball { mass [kg] = 1; radius [m] = 0.1; }
+        surface floor: half_plane(line(ground(0, 0) [m], ground(1, 0) [m]));
+        contact touch: between(ball.surface, floor) = rigid(restitution = 0.5);
+        friction grip: on(touch) = dry(coefficient = 0.3);
+        start { ball.center.x [m] = 0; ball.center.y [m] = 0.2; ball.angle [rad] = 0; }
+    }
+}
+
+fn main() {}
