@@ -22,10 +22,12 @@ const REFUSED: &[(&str, &str)] = &[
     ("cantilever", MODAL),
     ("dropping", RIGID),
     ("floated", "a mesh on axes that move"),
+    ("gripping", RIGID),
     ("hammer_at_rigid_wall", RIGID),
     ("rimless_wheel", RIGID),
     ("slider_crank_on_stop", RIGID),
     ("striking", RIGID),
+    ("woodpecker", RIGID),
 ];
 const MODAL: &str = "bodies with the modes of a file";
 const RIGID: &str = "impulses of rigid contacts";

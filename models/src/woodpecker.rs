@@ -27,8 +27,8 @@ linkwright::mechanism! {
             point spring [mm] = (-15, 0); point tip [mm] = (-20.1, 20);
             surface beak: point(bird.tip);
         }
-        surface wood: half_plane(line(ground(pole, 0 [m]), ground(pole, -1 [m])));
-        joint axis: point_on_line(line(ground(0, 0) [m], ground(0, 1) [m]), sleeve.center);
+        surface wood: half_plane(line(ground(pole, 30 [mm]), ground(pole, -60 [mm])));
+        joint axis: point_on_line(line(ground(0, -60) [mm], ground(0, 30) [mm]), sleeve.center);
         joint leg: revolute(sleeve.spring, bird.spring);
         torsion_spring steel: torsion_spring(leg, stiffness [N*m/rad] = 5.6e-3);
         contact pecks: between(bird.beak, wood) = rigid(restitution = 0.5);
