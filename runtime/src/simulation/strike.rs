@@ -87,11 +87,11 @@ where
         let inputs = self.dynamics.present_inputs(time, &self.run.state.clone());
         let mut touching = self.touching(&gaps, &inputs)?;
         let closed = |i: usize| at(before.as_slice(), i) > R::ZERO;
-        let mut approach = self.approach(&mut touching, &inputs, closed);
         let rests = |i: usize| match pressed_by(model, i) {
             None => closed(i),
             Some(gap) => closed(gap) && at(ways_before.as_slice(), i) == R::ZERO,
         };
+        let mut approach = self.approach(&mut touching, &inputs, closed, rests);
         let resting = touching.each().filter(|(_, i)| rests(*i)).fold(0, |set, (place, _)| set | 1 << place);
         if let Some(back) = touching.problem.against(&approach.rates, resting) {
             // What rests does not move on: what a method leaves of that is taken back, along the way of an impulse.
@@ -110,32 +110,12 @@ where
             at(&approach.rates, place) < -still && at(gaps.as_slice(), i) <= R::ZERO && !closed(i)
         });
         if strikes {
-            let mut bounces = [R::ZERO; ROWS];
-            for (place, i) in touching.gaps() {
-                // What rests has no speed to part with; by Poisson's law it has an impulse.
-                let bounces_off = model.parts_by_impulses() || !closed(i);
-                put(&mut bounces, place, if bounces_off { at(shares.as_slice(), i) } else { R::ZERO });
-            }
-            let (problem, Approach { rates, slowest, .. }) = (&touching.problem, &approach);
-            let impulses = match model.parts_by_impulses() {
-                true => problem.poisson(rates, &bounces, slowest),
-                false => problem.newton(rates, &bounces, slowest),
-            };
-            let Some(impulses) = impulses else {
-                return Err(self.no_impact(&touching));
-            };
-            for (place, i) in touching.gaps() {
-                blow.impacts += u32::from(at(&impulses, place) > R::ZERO && !closed(i));
-            }
-            let (half, mut taken) = (R::from_f64(0.5), R::ZERO);
-            for ((place, _), way) in touching.each().zip(&touching.ways) {
-                self.run.state.v.axpy(at(&impulses, place), way);
-                let twice = at(rates, place) + at(rates, place) + problem.row(place, &impulses);
-                taken = taken - half * at(&impulses, place) * twice;
-            }
-            blow.lost = taken.max(R::ZERO);
-            blow.gained = (-taken).max(R::ZERO);
-            approach = self.approach(&mut touching, &inputs, closed);
+            let shares = shares.as_slice();
+            // What rests has no speed to part with; by Poisson's law it has an impulse.
+            let bounces = |i: usize| model.parts_by_impulses() || !closed(i);
+            let share = |i: usize| if bounces(i) { at(shares, i) } else { R::ZERO };
+            self.take_impulses(&touching, &approach, share, closed, &mut blow)?;
+            approach = self.approach(&mut touching, &inputs, closed, |_| false);
         }
         let Approach { rates, bends, falls, slowest } = approach;
         let (mut gates, mut ways) = (zeros(), zeros());
@@ -186,6 +166,41 @@ where
             self.dynamics.inputs = None;
         }
         Ok(blow)
+    }
+
+    /// v⁺ = v⁻ + W P, by the shares with which gaps part.
+    fn take_impulses(
+        &mut self,
+        touching: &Touching<R, M::V>,
+        Approach { rates, slowest, .. }: &Approach<R>,
+        share: impl Fn(usize) -> R,
+        closed: impl Fn(usize) -> bool,
+        blow: &mut Blow<R>,
+    ) -> Result<(), SimulationError> {
+        let mut bounces = [R::ZERO; ROWS];
+        for (place, i) in touching.gaps() {
+            put(&mut bounces, place, share(i));
+        }
+        let problem = &touching.problem;
+        let impulses = match self.model().parts_by_impulses() {
+            true => problem.poisson(rates, &bounces, slowest),
+            false => problem.newton(rates, &bounces, slowest),
+        };
+        let Some(impulses) = impulses else {
+            return Err(self.no_impact(touching));
+        };
+        for (place, i) in touching.gaps() {
+            blow.impacts += u32::from(at(&impulses, place) > R::ZERO && !closed(i));
+        }
+        let (half, mut taken) = (R::from_f64(0.5), R::ZERO);
+        for ((place, _), way) in touching.each().zip(&touching.ways) {
+            self.run.state.v.axpy(at(&impulses, place), way);
+            let twice = at(rates, place) + at(rates, place) + problem.row(place, &impulses);
+            taken = taken - half * at(&impulses, place) * twice;
+        }
+        blow.lost = taken.max(R::ZERO);
+        blow.gained = (-taken).max(R::ZERO);
+        Ok(())
     }
 
     /// The contacts whose gap is closed, and W and G of them and of what slides in them.
@@ -266,12 +281,13 @@ where
         rates
     }
 
-    /// How all that touches approaches, and which way it slides.
+    /// How all that touches approaches, and which way it slides, but for what `holds`.
     fn approach(
         &self,
         touching: &mut Touching<R, M::V>,
         inputs: &M::Inputs,
         closed: impl Fn(usize) -> bool,
+        holds: impl Fn(usize) -> bool,
     ) -> Approach<R> {
         let (model, time) = (self.model(), self.time());
         let zeros = || M::Gates::zeros(model.gate_names().len());
@@ -291,6 +307,7 @@ where
         for (place, rub) in (touching.problem.gaps..).zip(touching.problem.rubs.iter_mut().flatten()) {
             let rate = at(&rates, place);
             rub.way = match () {
+                () if holds(at_index(&touching.which, place)) => Way::Open,
                 () if rate > slow => Way::Forwards,
                 () if rate < -slow => Way::Backwards,
                 () => Way::Open,
