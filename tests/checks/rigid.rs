@@ -71,6 +71,28 @@ linkwright::mechanism! {
 }
 
 linkwright::mechanism! {
+    /// Six balls that fall apart from each other, and a bar on both of its ends.
+    planar Apart {
+        gravity [m/s^2] = (0, -9.81);
+        surface floor: half_plane(line(ground(0, 0) [m], ground(1, 0) [m]));
+        repeat i in 0..6 {
+            particle ball[i] { mass [kg] = 1 + i; surface below: point(ball[i].center); }
+            contact stop[i]: between(ball[i].below, floor) = rigid(restitution = 0);
+            start { ball[i].center.x [m] = i; ball[i].center.y [m] = 0.1; }
+        }
+        rod bar { mass [kg] = 3; length [m] = 1; surface left: point(bar.start); surface right: point(bar.end); }
+        contact on_left: between(bar.left, floor) = rigid(restitution = 0);
+        contact on_right: between(bar.right, floor) = rigid(restitution = 0);
+        friction rub: on(on_left) = dry(static = 0.3);
+        start { bar.center.x [m] = -2; bar.center.y [m] = 0.1; bar.angle [rad] = 0; bar.center.velocity.x [m/s] = 0.2; }
+        output first [N] = stop[0].force;
+        output last [N] = stop[5].force;
+        output bar [N] = on_left.force + on_right.force;
+        output sliding [m/s] = on_left.sliding;
+    }
+}
+
+linkwright::mechanism! {
     /// A ball on a slope, which slides down to a wall: only by the slope does it come near the wall.
     planar Cornered {
         gravity [m/s^2] = (0, -9.81);
@@ -336,16 +358,22 @@ fn what_cannot_be_is_named() {
 }
 
 linkwright::mechanism! {
-    /// Five balls that come to a floor at one time.
+    /// A comb that falls on five of its teeth at one time.
     planar Crowd {
         gravity [m/s^2] = (0, -9.81);
         surface floor: half_plane(line(ground(0, 0) [m], ground(1, 0) [m]));
-        repeat i in 0..5 {
-            particle ball[i] { mass [kg] = 1; }
-            surface below[i]: point(ball[i].center);
-            contact stop[i]: between(below[i], floor) = rigid(restitution = 0.5);
-            start { ball[i].center.x [m] = i; ball[i].center.y [m] = 1; }
+        body comb {
+            mass [kg] = 1; inertia [kg*m^2] = 0.1;
+            point a [m] = (-0.2, 0); point b [m] = (-0.1, 0); point c [m] = (0, 0); point d [m] = (0.1, 0); point e [m] = (0.2, 0);
+            surface tooth_a: point(comb.a); surface tooth_b: point(comb.b); surface tooth_c: point(comb.c); surface tooth_d: point(comb.d);
+            surface tooth_e: point(comb.e);
         }
+        contact first: between(comb.tooth_a, floor) = rigid(restitution = 0.5);
+        contact second: between(comb.tooth_b, floor) = rigid(restitution = 0.5);
+        contact third: between(comb.tooth_c, floor) = rigid(restitution = 0.5);
+        contact fourth: between(comb.tooth_d, floor) = rigid(restitution = 0.5);
+        contact fifth: between(comb.tooth_e, floor) = rigid(restitution = 0.5);
+        start { comb.center.x [m] = 0; comb.center.y [m] = 1; comb.angle [rad] = 0; }
     }
 }
 
@@ -378,10 +406,10 @@ fn refused<M: Assemble<f64, Inputs = ()>>(
 #[test]
 fn more_than_can_be_sought_for_is_named() {
     let (error, text) = refused(&Crowd::default(), Crowd::START, 1.0);
-    let SimulationError::Crowded { contact: "stop[4]", time, most: 4 } = error else { panic!("{error}") };
+    let SimulationError::Crowded { contact: "fifth", time, most: 4 } = error else { panic!("{error}") };
     close(time, (2.0_f64 / 9.81).sqrt(), 1e-9, "time");
-    assert!(text.contains("with `stop[4]` more than 4 rigid contacts touch"), "{text}");
-    assert_eq!(error.joint(), Some("stop[4]"));
+    assert!(text.contains("with `fifth` more than 4 rigid contacts touch"), "{text}");
+    assert_eq!(error.joint(), Some("fifth"));
 }
 
 #[test]
@@ -432,4 +460,22 @@ fn what_lies_on_a_slope_comes_to_rest_at_a_wall() {
     let outputs = simulation.sample().outputs;
     close(outputs.lies, 2.0 * 9.81 * 5.0_f64.sqrt() / 2.0, 1e-11, "what the slope bears");
     close(outputs.strikes, 2.0 * 9.81 / 2.0, 1e-11, "what the wall bears");
+}
+
+/// As many as touch at one time, where they know nothing of each other; what lies on two places belongs together.
+#[test]
+fn what_lies_apart_does_not_count_together() {
+    let model = Apart::default();
+    let mut simulation = Simulation::new(&model, Apart::START).step(1e-3);
+    let (mut impacts, mut rested) = (0, 0);
+    while simulation.time() < 0.5 {
+        let step = simulation.advance().expect("they fall");
+        (impacts, rested) = (impacts + step.impacts, rested + step.rested);
+    }
+    assert_eq!((impacts, rested), (8, 8));
+    let outputs = simulation.sample().outputs;
+    close(outputs.first, 9.81, 1e-11, "the first");
+    close(outputs.last, 6.0 * 9.81, 1e-11, "the last");
+    close(outputs.bar, 3.0 * 9.81, 1e-11, "the bar");
+    close(outputs.sliding, 0.0, 1e-14, "sliding");
 }

@@ -174,7 +174,7 @@ pub enum SimulationError {
         /// Its depth, m or rad.
         depth: f64,
     },
-    /// More rigid contacts touch at once than impulses are sought for.
+    /// More rigid contacts that know of each other touch at once than impulses are sought for.
     Crowded {
         /// The first of them that is too many.
         contact: &'static str,

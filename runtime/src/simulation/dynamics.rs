@@ -1,5 +1,6 @@
 //! The mechanism as an integrator sees it: a model under a formulation, with its inputs, watched.
 
+use super::rigid::Held;
 use crate::error::AssemblyError;
 use crate::formulation::friction::unexplained;
 use crate::formulation::{Evaluation, Formulation, Settled, past_breakdown};
@@ -28,8 +29,7 @@ pub struct MechanismDynamics<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>,
     pub(super) watch: Watch<R, StateOf<M, R>>,
     /// The pivot of the last evaluation: that of the next step's beginning where it is not evaluated again.
     pub(super) last_pivot: R,
-    /// Which way what rubs in closed rigid contacts slides, 1 or −1 with and against the rate that `strikes` gives; 0 where it holds.
-    pub(super) ways: M::Gates,
+    pub(super) held: Held<M::Gates>,
     /// What was seen before the first trial of the step, once there was one.
     before_trials: Option<Watch<R, StateOf<M, R>>>,
     /// What the formulation remembered then.
@@ -101,7 +101,7 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
             begun_with: None,
             watch: Watch::new(R::ZERO),
             last_pivot: R::ONE,
-            ways: M::Gates::zeros(model.gate_names().len()),
+            held: Held::none(model),
             before_trials: None,
         }
     }

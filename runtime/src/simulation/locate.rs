@@ -1,6 +1,7 @@
 //! The search for events: steps, and the step that crossed a level repeated from its beginning.
 
 use super::event::Watched;
+use super::rigid::Held;
 use super::{Event, MechanismDynamics, Occurrence, Run, Sample, Simulation};
 use crate::error::SimulationError;
 use crate::fields::Fields;
@@ -24,7 +25,7 @@ pub(super) struct Standing<Real, Run, Memory, Formulation, Inputs, Gates> {
     inputs: Option<Inputs>,
     begun_with: Option<Inputs>,
     last_pivot: Real,
-    ways: Gates,
+    held: Held<Gates>,
 }
 
 /// [`Standing`] of a simulation with these methods.
@@ -176,7 +177,7 @@ where
             inputs: self.dynamics.inputs.clone(),
             begun_with: self.dynamics.begun_with.clone(),
             last_pivot: self.dynamics.last_pivot,
-            ways: self.dynamics.ways.clone(),
+            held: self.dynamics.held.clone(),
         }
     }
 
@@ -187,7 +188,7 @@ where
         self.dynamics.inputs = standing.inputs;
         self.dynamics.begun_with = standing.begun_with;
         self.dynamics.last_pivot = standing.last_pivot;
-        self.dynamics.ways = standing.ways;
+        self.dynamics.held = standing.held;
     }
 }
 

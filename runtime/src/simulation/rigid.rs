@@ -19,7 +19,7 @@ use crate::input::InputSource;
 use crate::integrator::Method;
 use crate::mechanism::{Assemble, Mechanism};
 use crate::real::Real;
-use crate::state::{State, StateOf};
+use crate::state::{State, StateOf, Variables};
 use crate::vector::{Vector, at, put};
 
 /// Gaps that are closed, m or rad; but at least a thousand roundings.
@@ -53,13 +53,32 @@ pub(super) fn grips<R: Real, M: Mechanism<R>>(model: &M) -> [M::Gates; 2] {
     [holding, sliding]
 }
 
+/// What is held of rigid contacts from one touch to the next, beside what is closed.
+#[derive(Clone)]
+pub(super) struct Held<G> {
+    /// Which way what rubs slides: 1 or −1 with and against the rate that `strikes` gives, 0 where it holds.
+    pub ways: G,
+    /// Which contacts know of each other: those of one group, counted from 0.
+    pub groups: G,
+}
+
+impl<G> Held<G> {
+    pub fn none<R: Real, M: Variables<R, Gates = G> + Mechanism<R>>(model: &M) -> Self
+    where
+        G: Vector<R>,
+    {
+        let zeros = || G::zeros(model.gate_names().len());
+        Held { ways: zeros(), groups: zeros() }
+    }
+}
+
 /// The forces of the contacts that are closed at a state, and the acceleration with them; those of others are zero. What is closed and has no
 /// way holds, what has one slides along it. `a` and `lambda` are what `solve` finds without any force of them.
 pub(super) fn press<R, M>(
     model: &M,
     time: R,
     state: &StateOf<M, R>,
-    ways: &M::Gates,
+    held: &Held<M::Gates>,
     a: &mut M::V,
     lambda: &mut M::Lambda,
     mut solve: impl FnMut(&M::Gates, &mut M::V, &mut M::Lambda),
@@ -70,26 +89,10 @@ where
 {
     let zeros = || M::Gates::zeros(model.gate_names().len());
     let mut forces = zeros();
-    let mut which = [0; ROWS];
-    let (mut gaps, mut count) = (0, 0);
     let closed = |i: usize| R::any(at(state.gates.as_slice(), i).greater(R::ZERO));
-    let holds = |i: usize| R::any(at(ways.as_slice(), i).equal(R::ZERO));
-    let all = 0..model.gate_names().len();
-    let mut take = |i: usize| {
-        if let Some(place) = which.get_mut(count) {
-            *place = i;
-            count += 1;
-        }
-    };
-    for i in all.clone().filter(|i| pressed_by(model, *i).is_none() && closed(*i)) {
-        take(i);
-        gaps += 1;
-    }
-    if gaps == 0 {
+    let gaps = (0..model.gate_names().len()).filter(|i| pressed_by(model, *i).is_none() && closed(*i));
+    if gaps.clone().next().is_none() {
         return forces;
-    }
-    for i in all.clone().filter(|i| pressed_by(model, *i).is_some_and(closed) && holds(*i)) {
-        take(i);
     }
     let along = |x: &M::V| {
         let (mut rates, mut biases, mut shares) = (zeros(), zeros(), zeros());
@@ -98,39 +101,55 @@ where
     };
     let (drifts, mut biases) = (along(&model.zero_v()), zeros());
     model.strikes(time, &state.q, &state.v, &mut zeros(), &mut biases, &mut zeros());
-    let free = along(a);
+    let (free, open) = (along(a), (a.clone(), lambda.clone()));
     let [_, sliding] = grips(model);
-    let mut ways_of: [(M::V, M::Lambda, M::Gates); ROWS] =
-        core::array::from_fn(|_| (model.zero_v(), model.zero_lambda(), zeros()));
-    let (mut matrix, mut right) = ([[R::ZERO; ROWS]; ROWS], [R::ZERO; ROWS]);
-    let rows = which.iter().take(count);
-    for (column, (&i, (way, reaction, one))) in rows.clone().zip(&mut ways_of).enumerate() {
-        // By a force of the size that it has, or that presses it.
-        let size = at(state.gates.as_slice(), pressed_by(model, i).unwrap_or(i));
-        put(one.as_mut_slice(), i, size);
-        for slides in all.clone().filter(|slides| pressed_by(model, *slides) == Some(i)) {
-            let share = -at(ways.as_slice(), slides) * at(sliding.as_slice(), slides);
-            put(one.as_mut_slice(), slides, share * size);
+    let holds = |i: usize| R::any(at(held.ways.as_slice(), i).equal(R::ZERO));
+    let group_of = |i: usize| at(held.groups.as_slice(), i);
+    for first in gaps.clone() {
+        let own = |i: &usize| R::any(group_of(*i).equal(group_of(first)));
+        if gaps.clone().any(|i| i < first && own(&i)) {
+            continue;
         }
-        solve(one, way, reaction);
-        way.axpy(-R::ONE, a);
-        reaction.axpy(-R::ONE, lambda);
-        let by = R::ONE / size;
-        (*way, *reaction, *one) = (way.scaled(by), reaction.scaled(by), one.scaled(by));
-        let moved = along(way);
-        for (row, &j) in matrix.iter_mut().zip(rows.clone()) {
-            put(row, column, at(moved.as_slice(), j) - at(drifts.as_slice(), j));
+        let rubbing = (0..model.gate_names().len())
+            .filter(|i| pressed_by(model, *i).is_some_and(|gap| closed(gap) && own(&gap)) && holds(*i));
+        let (mut which, mut count) = ([0; ROWS], 0);
+        for (place, i) in which.iter_mut().zip(gaps.clone().filter(own).chain(rubbing)) {
+            (*place, count) = (i, count + 1);
         }
-        let value = at(free.as_slice(), i) - at(drifts.as_slice(), i) + at(biases.as_slice(), i);
-        put(&mut right, column, value);
-    }
-    // Where it has no solution nothing is known, and the step says so.
-    let pressed =
-        solved(&matrix, &right, gaps, count, (1 << count) - 1).unwrap_or([R::from_f64(f64::NAN); ROWS]);
-    for (force, (way, reaction, one)) in pressed.into_iter().zip(&ways_of).take(count) {
-        forces.axpy(force, one);
-        a.axpy(force, way);
-        lambda.axpy(force, reaction);
+        let gaps = which.iter().take(count).filter(|i| pressed_by(model, **i).is_none()).count();
+        let mut ways: [(M::V, M::Lambda, M::Gates); ROWS] =
+            core::array::from_fn(|_| (model.zero_v(), model.zero_lambda(), zeros()));
+        let (mut matrix, mut right) = ([[R::ZERO; ROWS]; ROWS], [R::ZERO; ROWS]);
+        let rows = which.iter().take(count);
+        for (column, (&i, (way, reaction, one))) in rows.clone().zip(&mut ways).enumerate() {
+            // By a force of the size that it has, or that presses it.
+            let size = at(state.gates.as_slice(), pressed_by(model, i).unwrap_or(i));
+            put(one.as_mut_slice(), i, size);
+            for slides in (0..model.gate_names().len()).filter(|slides| pressed_by(model, *slides) == Some(i))
+            {
+                let share = -at(held.ways.as_slice(), slides) * at(sliding.as_slice(), slides);
+                put(one.as_mut_slice(), slides, share * size);
+            }
+            solve(one, way, reaction);
+            way.axpy(-R::ONE, &open.0);
+            reaction.axpy(-R::ONE, &open.1);
+            let by = R::ONE / size;
+            (*way, *reaction, *one) = (way.scaled(by), reaction.scaled(by), one.scaled(by));
+            let moved = along(way);
+            for (row, &j) in matrix.iter_mut().zip(rows.clone()) {
+                put(row, column, at(moved.as_slice(), j) - at(drifts.as_slice(), j));
+            }
+            let value = at(free.as_slice(), i) - at(drifts.as_slice(), i) + at(biases.as_slice(), i);
+            put(&mut right, column, value);
+        }
+        // Where it has no solution nothing is known, and the step says so.
+        let pressed = solved(&matrix, &right, gaps, count, (1 << count) - 1);
+        let pressed = pressed.unwrap_or([R::from_f64(f64::NAN); ROWS]);
+        for (force, (way, reaction, one)) in pressed.into_iter().zip(&ways).take(count) {
+            forces.axpy(force, one);
+            a.axpy(force, way);
+            lambda.axpy(force, reaction);
+        }
     }
     forces
 }
@@ -145,7 +164,7 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
         a: &mut M::V,
         lambda: &mut M::Lambda,
     ) -> M::Gates {
-        press(self.model, time, state, &self.ways, a, lambda, |gates, a, lambda| {
+        press(self.model, time, state, &self.held, a, lambda, |gates, a, lambda| {
             (*a, *lambda, _) = self.free(time, &State { gates: gates.clone(), ..state.clone() }, inputs);
         })
     }
@@ -192,7 +211,7 @@ where
                 let guard = match pressed_by(model, i) {
                     None if closed(i) => force,
                     Some(gap) if closed(gap) => {
-                        let way = at(self.dynamics.ways.as_slice(), i);
+                        let way = at(self.dynamics.held.ways.as_slice(), i);
                         let most = at(holding.as_slice(), i) * at(forces.as_slice(), gap);
                         // What holds as much as it can holds still.
                         if way == R::ZERO { (R::ONE + sharp()) * most - force.abs() } else { way * rate }

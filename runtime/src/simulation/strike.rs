@@ -7,7 +7,7 @@
 
 use super::Simulation;
 use super::complementarity::{Few, Problem, RIGID_TOUCHING, ROWS, Rub, Way};
-use super::rigid::{grips, near, pressed_by, still};
+use super::rigid::{Held, grips, near, pressed_by, still};
 use crate::error::SimulationError;
 use crate::formulation::Formulation;
 use crate::input::InputSource;
@@ -41,6 +41,12 @@ pub(super) struct Blow<R> {
 
 /// What of a speed counts for no sliding, in roundings of speeds: from it, friction may hold.
 const SLOW: f64 = 1000.0;
+
+/// Contacts that know of each other.
+struct Group {
+    which: [usize; RIGID_TOUCHING],
+    count: usize,
+}
 
 /// The contacts that touch, and how they depend on one another.
 struct Touching<R, V> {
@@ -77,21 +83,49 @@ where
         let zeros = || M::Gates::zeros(model.gate_names().len());
         let mut gaps = zeros();
         model.guards(time, &self.run.state, &mut gaps, &mut zeros());
-        let (before, ways_before) = (self.run.state.gates.clone(), self.dynamics.ways.clone());
-        let near = near::<R>();
-        let is_gap = |i: usize| pressed_by(model, i).is_none();
-        if !gaps.as_slice().iter().enumerate().any(|(i, gap)| is_gap(i) && *gap <= near) {
-            self.take_gates(&before, zeros(), zeros(), &mut blow);
-            return Ok(blow);
+        let before = self.run.state.gates.clone();
+        let (mut gates, mut held) = (zeros(), Held::none(model));
+        let mut left = self.near(&gaps)?;
+        if left.as_slice().iter().any(|it| *it > R::ZERO) {
+            let inputs = self.dynamics.present_inputs(time, &self.run.state.clone());
+            let mut store = model.store();
+            model.factor(time, &self.run.state.q, R::ZERO, &mut store);
+            let mut group = R::ZERO;
+            while let Some(members) = self.group(&mut left, &store, &inputs)? {
+                for &i in members.each() {
+                    put(held.groups.as_mut_slice(), i, group);
+                }
+                group = group + R::ONE;
+                let touching = self.touching(&members, &store, &inputs);
+                self.strike_group(touching, &gaps, &inputs, &mut gates, &mut held.ways, &mut blow)?;
+            }
         }
-        let inputs = self.dynamics.present_inputs(time, &self.run.state.clone());
-        let mut touching = self.touching(&gaps, &inputs)?;
+        self.take_gates(&before, gates, held, &mut blow);
+        if blow.impacts > 0 && !S::HELD {
+            self.dynamics.inputs = None;
+        }
+        Ok(blow)
+    }
+
+    /// The same of contacts that know of each other.
+    fn strike_group(
+        &mut self,
+        mut touching: Touching<R, M::V>,
+        gaps: &M::Gates,
+        inputs: &M::Inputs,
+        gates: &mut M::Gates,
+        ways: &mut M::Gates,
+        blow: &mut Blow<R>,
+    ) -> Result<(), SimulationError> {
+        let (model, time) = (self.model(), self.time());
+        let zeros = || M::Gates::zeros(model.gate_names().len());
+        let (before, ways_before) = (self.run.state.gates.clone(), self.dynamics.held.ways.clone());
         let closed = |i: usize| at(before.as_slice(), i) > R::ZERO;
         let rests = |i: usize| match pressed_by(model, i) {
             None => closed(i),
             Some(gap) => closed(gap) && at(ways_before.as_slice(), i) == R::ZERO,
         };
-        let mut approach = self.approach(&mut touching, &inputs, closed, rests);
+        let mut approach = self.approach(&mut touching, inputs, closed, rests);
         let resting = touching.each().filter(|(_, i)| rests(*i)).fold(0, |set, (place, _)| set | 1 << place);
         if let Some(back) = touching.problem.against(&approach.rates, resting) {
             // What rests does not move on: what a method leaves of that is taken back, along the way of an impulse.
@@ -114,11 +148,10 @@ where
             // What rests has no speed to part with; by Poisson's law it has an impulse.
             let bounces = |i: usize| model.parts_by_impulses() || !closed(i);
             let share = |i: usize| if bounces(i) { at(shares, i) } else { R::ZERO };
-            self.take_impulses(&touching, &approach, share, closed, &mut blow)?;
-            approach = self.approach(&mut touching, &inputs, closed, |_| false);
+            self.take_impulses(&touching, &approach, share, closed, blow)?;
+            approach = self.approach(&mut touching, inputs, closed, |_| false);
         }
         let Approach { rates, bends, falls, slowest } = approach;
-        let (mut gates, mut ways) = (zeros(), zeros());
         // What flies no higher than from the slowest bounce.
         let two = R::from_f64(2.0);
         let still_near = touching.gaps().filter(|&(place, i)| {
@@ -161,11 +194,7 @@ where
             let State { v, z, .. } = self.run.state.clone();
             self.run.state = self.run.state.moved(model.layout(), &moved, v, z);
         }
-        self.take_gates(&before, gates, ways, &mut blow);
-        if blow.impacts > 0 && !S::HELD {
-            self.dynamics.inputs = None;
-        }
-        Ok(blow)
+        Ok(())
     }
 
     /// v⁺ = v⁻ + W P, by the shares with which gaps part.
@@ -198,32 +227,80 @@ where
             let twice = at(rates, place) + at(rates, place) + problem.row(place, &impulses);
             taken = taken - half * at(&impulses, place) * twice;
         }
-        blow.lost = taken.max(R::ZERO);
-        blow.gained = (-taken).max(R::ZERO);
+        blow.lost = blow.lost + taken.max(R::ZERO);
+        blow.gained = blow.gained + (-taken).max(R::ZERO);
         Ok(())
     }
 
-    /// The contacts whose gap is closed, and W and G of them and of what slides in them.
-    fn touching(&self, gaps: &M::Gates, inputs: &M::Inputs) -> Result<Touching<R, M::V>, SimulationError> {
-        let (model, time, near) = (self.model(), self.time(), near::<R>());
-        let (mut which, mut count) = ([0; ROWS], 0);
-        let inside = R::from_f64(INSIDE).max(R::EPSILON.sqrt());
+    /// 1 for each gap that is closed; how far off a method leaves one that rests is taken back.
+    fn near(&self, gaps: &M::Gates) -> Result<M::Gates, SimulationError> {
+        let model = self.model();
+        let (inside, near) = (R::from_f64(INSIDE).max(R::EPSILON.sqrt()), near::<R>());
+        let mut left = M::Gates::zeros(model.gate_names().len());
         for (i, &gap) in gaps.as_slice().iter().enumerate() {
-            if gap > near || pressed_by(model, i).is_some() {
+            let rests = at(self.run.state.gates.as_slice(), i) > R::ZERO;
+            if gap > near && !rests || pressed_by(model, i).is_some() {
                 continue;
             }
-            if gap < -inside {
-                let (contact, depth) = (self.contact(i), -gap.to_f64());
-                return Err(SimulationError::Inside { contact, time: time.to_f64(), depth });
+            if gap < -inside && !rests {
+                let (contact, time, depth) = (self.contact(i), self.time().to_f64(), -gap.to_f64());
+                return Err(SimulationError::Inside { contact, time, depth });
             }
-            if count == RIGID_TOUCHING {
-                let (contact, most) = (self.contact(i), RIGID_TOUCHING as u32);
-                return Err(SimulationError::Crowded { contact, time: time.to_f64(), most });
+            put(left.as_mut_slice(), i, R::ONE);
+        }
+        Ok(left)
+    }
+
+    /// The next contacts of those that are left which know of each other, and takes them out: all where they are few.
+    fn group(
+        &self,
+        left: &mut M::Gates,
+        store: &M::Store,
+        inputs: &M::Inputs,
+    ) -> Result<Option<Group>, SimulationError> {
+        let model = self.model();
+        let is_left = |left: &M::Gates, i: usize| at(left.as_slice(), i) > R::ZERO;
+        let all = 0..model.gate_names().len();
+        let mut group = Group::none();
+        let few = all.clone().filter(|i| is_left(left, *i)).count() <= RIGID_TOUCHING;
+        for i in all.clone().filter(|i| is_left(left, *i)).take(if few { RIGID_TOUCHING } else { 1 }) {
+            group.take(i);
+        }
+        for i in group.each() {
+            put(left.as_mut_slice(), *i, R::ZERO);
+        }
+        let (drifts, mut next) = (self.rates_at(&model.zero_v()), 0);
+        // Who is moved by one of them belongs to them, and who is moved by these.
+        loop {
+            let Some(gap) = group.each().nth(next).copied().filter(|_| !few) else { break };
+            next += 1;
+            for gate in all.clone().filter(|gate| *gate == gap || pressed_by(model, *gate) == Some(gap)) {
+                let mut way = model.zero_v();
+                self.way(gate, store, inputs, &mut way);
+                let moved = self.rates_at(&way);
+                let moves = |i: usize| at(moved.as_slice(), i) != at(drifts.as_slice(), i);
+                for other in all.clone().filter(|i| moves(*i)) {
+                    let other = pressed_by(model, other).unwrap_or(other);
+                    if !is_left(left, other) {
+                        continue;
+                    }
+                    if !group.take(other) {
+                        let (contact, time) = (self.contact(other), self.time().to_f64());
+                        return Err(SimulationError::Crowded { contact, time, most: RIGID_TOUCHING as u32 });
+                    }
+                    put(left.as_mut_slice(), other, R::ZERO);
+                }
             }
-            if let Some(place) = which.get_mut(count) {
-                *place = i;
-            }
-            count += 1;
+        }
+        Ok((group.count > 0).then_some(group))
+    }
+
+    /// W and G of contacts, and of what slides in them.
+    fn touching(&self, members: &Group, store: &M::Store, inputs: &M::Inputs) -> Touching<R, M::V> {
+        let model = self.model();
+        let (mut which, mut count) = ([0; ROWS], members.count);
+        for (place, i) in which.iter_mut().zip(members.each()) {
+            *place = *i;
         }
         let (gaps, mut rubs) = (count, [None; RIGID_TOUCHING]);
         let [holding, sliding] = grips(model);
@@ -237,14 +314,11 @@ where
                 count += 1;
             }
         }
-        let state = self.dynamics.opened(&self.run.state);
-        let mut store = model.store();
-        model.factor(time, &state.q, R::ZERO, &mut store);
         let drifts = self.rates_at(&model.zero_v());
         let ways: [M::V; ROWS] = core::array::from_fn(|place| {
             let mut way = model.zero_v();
             if place < count {
-                self.way(at_index(&which, place), &store, inputs, &mut way);
+                self.way(at_index(&which, place), store, inputs, &mut way);
             }
             way
         });
@@ -255,7 +329,7 @@ where
                 put(row, column, at(moved.as_slice(), j) - at(drifts.as_slice(), j));
             }
         }
-        Ok(Touching { which, ways, problem: Problem { matrix, gaps, rubs } })
+        Touching { which, ways, problem: Problem { matrix, gaps, rubs } }
     }
 
     /// The column of W of one contact.
@@ -340,9 +414,10 @@ where
         Approach { rates, bends, falls, slowest }
     }
 
-    fn take_gates(&mut self, before: &M::Gates, gates: M::Gates, ways: M::Gates, blow: &mut Blow<R>) {
+    fn take_gates(&mut self, before: &M::Gates, gates: M::Gates, held: Held<M::Gates>, blow: &mut Blow<R>) {
         let opened = |i: usize| (at(before.as_slice(), i) > R::ZERO) != (at(gates.as_slice(), i) > R::ZERO);
-        let turned = |i: usize| at(self.dynamics.ways.as_slice(), i) != at(ways.as_slice(), i);
+        let ways = [&self.dynamics.held.ways, &held.ways];
+        let turned = |i: usize| at(ways[0].as_slice(), i) != at(ways[1].as_slice(), i);
         let model = self.model();
         let changed = (0..model.gate_names().len()).filter(|i| match pressed_by(model, *i) {
             None => opened(*i),
@@ -350,7 +425,7 @@ where
         });
         blow.changed = changed.count() as u32;
         self.run.state.gates = gates;
-        self.dynamics.ways = ways;
+        self.dynamics.held = held;
         if blow.changed > 0 || blow.impacts > 0 {
             // What a method carries from step to step is of the motion before.
             self.memory = self.integrator.memory();
@@ -359,6 +434,24 @@ where
 
     fn no_impact(&self, touching: &Touching<R, M::V>) -> SimulationError {
         SimulationError::NoImpact { contact: self.contact(touching.at(0)), time: self.time().to_f64() }
+    }
+}
+
+impl Group {
+    fn none() -> Self {
+        Group { which: [0; RIGID_TOUCHING], count: 0 }
+    }
+
+    fn each(&self) -> impl Iterator<Item = &usize> {
+        self.which.iter().take(self.count)
+    }
+
+    /// Whether there was room for it.
+    fn take(&mut self, contact: usize) -> bool {
+        let Some(place) = self.which.get_mut(self.count) else { return false };
+        *place = contact;
+        self.count += 1;
+        true
     }
 }
 
