@@ -33,11 +33,7 @@ const RECORDED_OF_ZOO: [&str; 6] = ["crank", "jack", "oldham", "shafts", "snake"
 
 /// Models whose values are not recorded, so that all stay within a megabyte: one like it is, or its values are among the longest. Contacts and
 /// friction by reactions are not part of a recorded system.
-<<<<<<< HEAD
-const NOT_RECORDED: [&str; 43] = [
-=======
-const NOT_RECORDED: [&str; 42] = [
->>>>>>> 271705b (The woodpecker in the gallery and among what is compared)
+const NOT_RECORDED: [&str; 44] = [
     "ball_between_walls",
     "bevel_pair",
     "bouncing_ball",
