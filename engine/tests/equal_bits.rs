@@ -160,7 +160,8 @@ fn functions<M: Model>() {
         same("strikes: biases", biases.as_slice(), own_biases.as_slice());
         same("strikes: restitutions", shares.as_slice(), own_shares.as_slice());
         assert_eq!(model.pressed_by(), engine.pressed_by());
-        let [mut holding, mut sliding] = [at.gates; 2];
+        // Where nothing is dry they write nothing.
+        let [mut holding, mut sliding] = [at.gates.scaled(0.0), at.gates.scaled(0.0)];
         let [mut own_holding, mut own_sliding] = [own_zeros.clone(), own_zeros];
         model.grips(&mut holding, &mut sliding);
         engine.grips(&mut own_holding, &mut own_sliding);

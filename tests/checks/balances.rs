@@ -206,7 +206,8 @@ fn power_is_balanced<M: Model>() {
                 "Hoisted",
                 "RearWheel",
                 "RubbingPairs",
-                "Dropping"
+                "Dropping",
+                "Gripping"
             ]
             .contains(&model.name()),
             "{}: left to the reference",

@@ -24,7 +24,10 @@ fn reduced_equations_move_the_whole<M: Model>() {
                 assert!(needed == freedoms && given == f && f < freedoms, "{name}");
                 return;
             }
-            Err(LinearisationError::Assembly(_)) => continue,
+            Err(LinearisationError::Assembly(error)) => {
+                println!("{name}: {error}");
+                continue;
+            }
             Err(LinearisationError::Rigid { contact }) => {
                 assert!(model.is_rigid() && contact == model.gate_names()[0], "{name}");
                 return;

@@ -81,6 +81,7 @@ impl Reader<'_> {
                 }])
             }
             "mesh" => self.mesh(node, own)?,
+            "dry" => return Err(DefinitionError::not_there_yet(own, "impulses of rigid contacts that rub")),
             kind if is_friction(kind) && self.contact_named(text(node, "on", own)?)?.is_some() => {
                 let spots = self.spots(text(node, "on", own)?)?;
                 Acts::Rubbing(Box::new(Rubbing { law: self.sliding(node, own)?, spots }))

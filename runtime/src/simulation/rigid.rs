@@ -29,6 +29,9 @@ pub(super) fn near<R: Real>() -> R {
     R::from_f64(NEAR).max(R::from_f64(1000.0) * R::EPSILON)
 }
 
+/// The least force by which the effect of one is found, N or N m.
+const LEAST: f64 = 1e-6;
+
 /// What a force that holds may be above what it can, as a part of that.
 fn sharp<R: Real>() -> R {
     R::from_f64(1e-12).max(R::from_f64(64.0) * R::EPSILON)
@@ -105,6 +108,7 @@ where
     let [_, sliding] = grips(model);
     let holds = |i: usize| R::any(at(held.ways.as_slice(), i).equal(R::ZERO));
     let group_of = |i: usize| at(held.groups.as_slice(), i);
+    let rubs = !model.pressed_by().is_empty();
     for first in gaps.clone() {
         let own = |i: &usize| R::any(group_of(*i).equal(group_of(first)));
         if gaps.clone().any(|i| i < first && own(&i)) {
@@ -122,8 +126,8 @@ where
         let (mut matrix, mut right) = ([[R::ZERO; ROWS]; ROWS], [R::ZERO; ROWS]);
         let rows = which.iter().take(count);
         for (column, (&i, (way, reaction, one))) in rows.clone().zip(&mut ways).enumerate() {
-            // By a force of the size that it has, or that presses it.
-            let size = at(state.gates.as_slice(), pressed_by(model, i).unwrap_or(i));
+            // By a force of the size that it has, or that presses it; one that ends would be lost in rounding.
+            let size = at(state.gates.as_slice(), pressed_by(model, i).unwrap_or(i)).max(R::from_f64(LEAST));
             put(one.as_mut_slice(), i, size);
             for slides in (0..model.gate_names().len()).filter(|slides| pressed_by(model, *slides) == Some(i))
             {
@@ -142,9 +146,9 @@ where
             let value = at(free.as_slice(), i) - at(drifts.as_slice(), i) + at(biases.as_slice(), i);
             put(&mut right, column, value);
         }
-        // Where it has no solution nothing is known, and the step says so.
-        let pressed = solved(&matrix, &right, gaps, count, (1 << count) - 1);
-        let pressed = pressed.unwrap_or([R::from_f64(f64::NAN); ROWS]);
+        // Where what rubs has no solution nothing is known, and the step says so; what only pushes does not where it cannot.
+        let without = if rubs { R::from_f64(f64::NAN) } else { R::ZERO };
+        let pressed = solved(&matrix, &right, gaps, count, (1 << count) - 1).unwrap_or([without; ROWS]);
         for (force, (way, reaction, one)) in pressed.into_iter().zip(&ways).take(count) {
             forces.axpy(force, one);
             a.axpy(force, way);

@@ -92,6 +92,8 @@ fn planetary_stage_by_its_teeth() {
         for (frequency, expected) in frequencies(inner, outer, &row[4..]).iter().zip(&row[4..]) {
             found.see(frequency / expected, 1.0);
         }
+        let all_turn = frequencies(inner, outer, &[0.5])[0];
+        assert!(all_turn < 1e-2, "the rigid mode has {all_turn} Hz");
     }
     stiffness.below(2e-6, "stiffnesses of teeth");
     found.below(1e-6, "frequencies by the shape of teeth");
