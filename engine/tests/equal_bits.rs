@@ -162,7 +162,7 @@ fn functions<M: Model>() {
         assert_eq!(model.pressed_by(), engine.pressed_by());
         // Where nothing is dry they write nothing.
         let [mut holding, mut sliding] = [at.gates.scaled(0.0), at.gates.scaled(0.0)];
-        let [mut own_holding, mut own_sliding] = [own_zeros.clone(), own_zeros];
+        let [mut own_holding, mut own_sliding] = [own_zeros.scaled(0.0), own_zeros.scaled(0.0)];
         model.grips(&mut holding, &mut sliding);
         engine.grips(&mut own_holding, &mut own_sliding);
         same("grips: holding", holding.as_slice(), own_holding.as_slice());

@@ -51,7 +51,7 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
             tables::method(text, "is_rigid", "bool", "true");
         }
         let pressed = mechanism.pressed_by();
-        if pressed.iter().any(Option::is_some) {
+        if !pressed.is_empty() {
             let entries = array(pressed.iter().map(|gate| format!("{gate:?}")));
             tables::method(text, "pressed_by", "&[Option<usize>]", &format!("&{entries}"));
         }

@@ -183,8 +183,11 @@ impl Mechanism {
         loads.flat_map(|(load, it)| (0..it.ungated.len()).map(move |which| (LoadId(load), which)))
     }
 
-    /// Of each gate the one of the gap that presses, where it is of dry friction.
+    /// Of each gate the one of the gap that presses, where it is of dry friction; nothing where none is.
     pub fn pressed_by(&self) -> Vec<Option<usize>> {
+        if !self.loads.iter().any(|load| load.form.holds) {
+            return Vec::new();
+        }
         let gates: Vec<(LoadId, usize)> = self.gates().collect();
         let pressed = |(load, which): &(LoadId, usize)| {
             let load = &self.loads[load.0];
