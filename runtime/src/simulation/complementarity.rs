@@ -65,7 +65,6 @@ pub(super) struct Found<R> {
     pub ways: [Way; RIGID_TOUCHING],
 }
 
-/// Which way something with this direction goes.
 impl Way {
     /// σ; 0 of what holds.
     pub fn sign<R: Real>(self) -> R {

@@ -250,7 +250,7 @@ where
         let found = each.find(|(i, (gate, (gap, rate)))| {
             let (closed, gap) = (**gate > R::ZERO, **gap);
             match pressed_by(self.model(), *i) {
-                // A friction is named by its own name, and its sliding ends where it is none.
+                // What holds is near its most by the same part of nothing, N, as what slides is near its end, m/s.
                 Some(_) => gap < -still,
                 None => gap < R::ZERO && (closed || **rate < -still || gap < -near),
             }

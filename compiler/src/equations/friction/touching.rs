@@ -66,7 +66,8 @@ pub(super) fn moved<'g>(laws: &Laws<'g>, sliding: &Sliding) -> [Scalar<'g>; 2] {
     }
 }
 
-/// What the turning of t and the wandering of P add to the derivative of t·v: ṫ·v + (ω₁ − ω₂) × Ṗ·t …, each place with its own.
+/// What the turning of t and the wandering of P add to the derivative of t·v, t·v being linear in what moves: of each body
+/// ṫ·(ṗ + ω × (P − p)) + t·(ω × (Ṗ − ṗ)), m/s²; that of the second taken off.
 fn turned<'g>(laws: &Laws<'g>, spot: &Spot, point: &[Moving<'g>], normal: &[Moving<'g>]) -> Scalar<'g> {
     let (x, y) = (normal[1].value(), -normal[0].value());
     let (x_rate, y_rate) = (normal[1].rate(), -normal[0].rate());

@@ -71,10 +71,6 @@ pub fn couple(wheels: &Wheels, worm: usize) -> Result<Coupled, String> {
         part: scaled(axial * slope, normal),
         radius: 0.5 * screw.module * axial,
     };
-    let in_order = |[of_screw, of_wheel]: [f64; 2]| {
-        if worm == 0 { [of_screw, of_wheel] } else { [of_wheel, of_screw] }
-    };
-    let turns = if worm == 0 { [of_screw, of_wheel] } else { [of_wheel, of_screw] };
     Ok(Coupled {
         carrier,
         between: [distance, 0.0],
@@ -83,11 +79,16 @@ pub fn couple(wheels: &Wheels, worm: usize) -> Result<Coupled, String> {
         constant,
         axes: None,
         beside: 0.0,
-        axles: Some(if worm == 0 { [a, b] } else { [b, a] }),
-        turns,
-        first: in_order([screw.first, wheel.first]),
-        psi: in_order([angle(a, normal), angle(b, back)]),
-        side: in_order(factors.map(f64::signum)),
+        axles: Some(in_order(worm, [a, b])),
+        turns: in_order(worm, [of_screw, of_wheel]),
+        first: in_order(worm, [screw.first, wheel.first]),
+        psi: in_order(worm, [angle(a, normal), angle(b, back)]),
+        side: in_order(worm, factors.map(f64::signum)),
         touch: Some(if worm == 0 { touch } else { touch.reversed() }),
     })
+}
+
+/// What is of the screw and of its wheel, in the order of the pair.
+fn in_order<T>(worm: usize, [of_screw, of_wheel]: [T; 2]) -> [T; 2] {
+    if worm == 0 { [of_screw, of_wheel] } else { [of_wheel, of_screw] }
 }
