@@ -12,16 +12,23 @@ use crate::model::gears::{Meeting, Mesh, Pair, Toothing, involute, spurs};
 const DISTANCE: f64 = 1e-6;
 /// Two numbers that are written the same.
 const SAME: f64 = 1e-9;
+/// What the shifts of two wheels may add up to, in modules, each ending within 2.
+const MOST_SHIFTED: f64 = 4.0;
 /// Below this contact ratio errors of manufacture part the teeth.
 const LOW: f64 = 1.1;
 const WIDTHS: std::ops::RangeInclusive<f64> = 3.0..=40.0;
 
-// Teeth that mesh have one module, one pressure angle and fitting helices; a ring has more teeth than what runs in it, and the axes stand
+// Two toothings mesh once. Teeth that mesh have one module, one pressure angle and fitting helices; a ring has more teeth than what runs in it, and the axes stand
 // where the teeth touch on both sides; at any time some teeth touch; and no tips run into each other.
 pub fn pairs_mesh(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
-    for pair in &mechanism.pairs {
+    for (at, pair) in mechanism.pairs.iter().enumerate() {
         let toothings = pair.on.map(|id| mechanism.toothing(id));
-        if let Some(message) = unlike(pair.meeting, toothings).or_else(|| apart(mechanism, pair)) {
+        let same = |other: &&Pair| other.on == pair.on || other.on == [pair.on[1], pair.on[0]];
+        if let Some(first) = mechanism.pairs[..at].iter().find(same) {
+            let message = messages::mesh_twice(toothings.map(|it| it.text.as_str()), &first.name.text);
+            let note = messages::first_here(&first.name.text);
+            diagnostics.conflict(pair.name.span, message, first.name.span, note);
+        } else if let Some(message) = unlike(pair.meeting, toothings).or_else(|| apart(mechanism, pair)) {
             diagnostics.error(pair.name.span, message);
         }
     }
@@ -66,6 +73,7 @@ fn apart(mechanism: &Mechanism, pair: &Pair) -> Option<String> {
         }
         Meeting::Cylinders if is_wrong => {
             let shift = mesh.working_angle.map(|working| shifts([first, second], working));
+            let shift = shift.filter(|shift| shift.abs() <= MOST_SHIFTED);
             return Some(messages::wrong_distance(names[0], names[1], found, mesh.nominal, shift));
         }
         Meeting::Rack | Meeting::Worm if is_wrong => {

@@ -341,9 +341,14 @@ fn cuts_differ(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
 // A force acts on a body.
 fn loads_act_on_bodies(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
     for load in &mechanism.loads {
-        let [Subject::Place(place)] = &load.on[..] else { continue };
-        if place.frame == Frame::Ground {
-            diagnostics.error(place.span, messages::force_on_ground(&load.name.text, &place.text));
+        match &load.on[..] {
+            [Subject::Place(place)] if place.frame == Frame::Ground => {
+                diagnostics.error(place.span, messages::force_on_ground(&load.name.text, &place.text));
+            }
+            [Subject::Rotor(first), Subject::Rotor(second)] if first == second => {
+                diagnostics.error(load.name.span, messages::coupled_with_itself(&load.name.text));
+            }
+            _ => {}
         }
     }
 }

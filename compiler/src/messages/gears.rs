@@ -444,6 +444,12 @@ pub(crate) fn wrong_distance(
     )
 }
 
+pub(crate) fn mesh_twice([first, second]: [&str; 2], known: &str) -> String {
+    format!(
+        "the teeth of `{first}` and `{second}` mesh in `{known}` already: leave one out; `gear` for teeth that are rigid, `mesh` for teeth that give"
+    )
+}
+
 pub(crate) fn no_distance([first, second]: [&str; 2], least: f64) -> String {
     format!(
         "the shifts make the teeth of `{first}` and `{second}` so thin that they do not touch on both sides at any distance: write shifts that add up to {} or more \

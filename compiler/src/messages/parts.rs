@@ -160,6 +160,10 @@ pub(crate) fn names_without_point() -> &'static str {
     "joints and bodies are named here without a point"
 }
 
+pub(crate) fn names_without_point_or_ratio() -> &'static str {
+    "joints and bodies are named here without a point, and two toothings bring their ratio: for these leave `ratio` out"
+}
+
 pub(crate) fn too_many_places(kind: &str, count: usize) -> String {
     format!(
         "`{kind}` takes {count} unnamed argument{}, this is one too many",
