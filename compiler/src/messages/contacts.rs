@@ -186,6 +186,12 @@ pub(crate) fn quantities_of_contact(name: &str, space: Space) -> String {
     format!("a contact has `{name}.gap`, `.depth`, `.closing`, `.force`, {axes}, and `power({name})`")
 }
 
+pub(crate) fn play_of_nothing(name: &str) -> String {
+    format!(
+        "the play of `{name}` is the whole gap in which it moves freely, more than zero: leave it out where there is none"
+    )
+}
+
 pub(crate) fn limit_without_room(from: f64, to: f64) -> String {
     format!("nothing lies between {} and {}: the lower end comes first", number(from), number(to))
 }

@@ -6,7 +6,7 @@ use super::definition::{
     Constraint, ConstraintTerm, Entry, FirstTerm, Joint, Label, LawTerm, LineTerm, Load, Named, Operator,
     PlaceTerm, Space, SubjectTerm, Term, TermKind, Tuple,
 };
-use super::expression::is_call;
+use super::expression::{is_call, number};
 use super::parser::{Failed, Parsed, Parser};
 use super::token::Cursor;
 use crate::diagnostics::Region;
@@ -266,7 +266,12 @@ impl Parser<'_> {
             Law::Components(_) => LawTerm::Components(self.components(c)?),
         };
         self.semicolon(c)?;
-        self.definition.loads.push(Load { name, form, on, named: arguments.named, law });
+        let play = arguments.entry("play");
+        let load = Load { name, form, on, named: arguments.named, law };
+        if let Some(play) = play {
+            return self.spring_with_play(load, play);
+        }
+        self.definition.loads.push(load);
         Ok(())
     }
 
@@ -359,7 +364,13 @@ impl Parser<'_> {
             Positional::Rotor => {
                 arguments.rotors.push(self.label(c, "the name of a joint or body")?);
                 if c.at_punct('.') {
-                    return self.advised(c, "`,` or `)`", messages::names_without_point());
+                    let mut couplings = self.vocabulary.couplings.iter();
+                    let of_teeth = |it: &&CouplingForm| matches!(it.means, Means::Teeth { .. });
+                    let advice = match couplings.any(|it| it.call.word == form.word && of_teeth(it)) {
+                        true => messages::names_without_point_or_ratio(),
+                        false => messages::names_without_point(),
+                    };
+                    return self.advised(c, "`,` or `)`", advice);
                 }
             }
         }
@@ -457,11 +468,6 @@ impl Parser<'_> {
         }
         self.argument_end(c)
     }
-}
-
-/// Digits as if written at `region`.
-fn number(region: Region, digits: &str) -> Term {
-    Term { kind: TermKind::Number { text: digits.to_string(), unit: None }, region, height: 0 }
 }
 
 /// Whether the first argument of a call is a name with a point, as toothings have, and no ratio is written, which these bring.

@@ -352,3 +352,8 @@ fn is_decimal(digits: &str) -> bool {
     let plain = digits.bytes().all(|b| b.is_ascii_digit() || matches!(b, b'.' | b'e' | b'E' | b'+' | b'-'));
     plain && digits.parse::<f64>().is_ok_and(f64::is_finite)
 }
+
+/// Digits as if written at `region`.
+pub(super) fn number(region: Region, digits: &str) -> Term {
+    Term { kind: TermKind::Number { text: digits.to_string(), unit: None }, region, height: 0 }
+}

@@ -54,6 +54,7 @@ mod index;
 mod modal;
 mod parser;
 mod parts;
+mod play;
 mod scope;
 mod settings;
 mod shelf;

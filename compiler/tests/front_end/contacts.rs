@@ -262,3 +262,40 @@ fn one_message_for_each_mistake() {
         assert_eq!(found, [expected], "{source}");
     }
 }
+
+/// A hub on a shaft with this statement between them.
+fn hub(statement: &str, start: &str) -> String {
+    format!(
+        "planar Hub {{ body shaft {{ mass [kg] = 1; inertia [kg*m^2] = 0.01; }} body hub {{ mass [kg] = 1; inertia [kg*m^2] = 0.05; }}
+         param gap [rad] = 0.02 in 0.001..0.1; joint bearing: revolute(ground(0, 0) [m], shaft.center); joint seat: revolute(shaft.center, hub.center);
+         {statement} start {{ seat.angle [rad] = {start}; }} }}"
+    )
+}
+
+/// It is the limit that it is short for, and may be bent at the start.
+#[test]
+fn a_torsion_spring_with_play() {
+    let values = "stiffness [N*m/rad] = 1000, damping [N*m*s/rad] = 0.5";
+    for (short, long) in [
+        (
+            format!("torsion_spring bar: torsion_spring(seat, {values}, play [deg] = 2);"),
+            format!("limit bar: seat.angle [deg] in -1..1 = kelvin_voigt({values});"),
+        ),
+        (
+            format!("torsion_spring bar: torsion_spring(seat, {values}, play = gap, angle [rad] = 0.3);"),
+            format!(
+                "#[allow(penetration)] limit bar: seat.angle in 0.3 [rad] - gap/2..0.3 [rad] + gap/2 = kelvin_voigt({values});"
+            ),
+        ),
+    ] {
+        let [short, long] = [short, long].map(|statement| {
+            format!("{:?}", compiled(&hub(&statement, "0.001")).programs.get(Function::Forces))
+        });
+        assert_eq!(short, long);
+    }
+    for play in ["[rad] = 0", "[rad] = -0.1"] {
+        let statement = format!("torsion_spring bar: torsion_spring(seat, {values}, play {play});");
+        let expected = "the play of `bar` is the whole gap in which it moves freely, more than zero: leave it out where there is none";
+        only(&hub(&statement, "0"), expected);
+    }
+}

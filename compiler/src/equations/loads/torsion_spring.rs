@@ -17,6 +17,8 @@ pub static LOAD: LoadKind = LoadKind {
                 Argument::scalar("stiffness", Need::Always, Dimension::TORQUE).restoring(),
                 Argument::scalar("angle", Need::Never, Dimension::ANGLE),
                 Argument::scalar("damping", Need::Never, Dimension::ANGULAR_DAMPING).restoring(),
+                // One that has it is read as a limit.
+                Argument::scalar("play", Need::Never, Dimension::ANGLE),
             ],
         },
         instead: None,

@@ -86,6 +86,11 @@ impl Term {
         Term { kind: TermKind::Operation(operator, vec![self, other]), region, height }
     }
 
+    pub fn negated(self) -> Term {
+        let (region, height) = (self.region, 1 + self.height);
+        Term { kind: TermKind::Operation(Operator::Negate, vec![self]), region, height }
+    }
+
     pub fn plus(self, other: Term) -> Term {
         self.joined(Operator::Add, other)
     }
