@@ -5,27 +5,27 @@
 //! instructions evaluation MODEL           a hundred accelerations with Baumgarte's terms, by the way that leads
 //! instructions step MODEL                 a hundred steps of RK4 with Baumgarte's terms
 //! instructions models                     writes the names of the models
+//! instructions files                      writes those of the files that they stand in
 //! ```
 
 mod look_up;
 
 use linkwright::{Assemble, AssembleExt, Fields, Rk4, Vector};
-use linkwright_models::{
-    andrews::Andrews, bricard::Bricard, double_pendulum::DoublePendulum, four_bar::FourBar, n_four_bar, panda::Panda,
-};
+use linkwright_models::{andrews, bricard, double_pendulum, four_bar, n_four_bar, panda};
 use std::hint::black_box;
 
 const TIMES: usize = 100;
 
 macro_rules! models {
-    ($($name:ident: $model:ty),* $(,)?) => {
+    ($($name:ident: $file:ident::$model:ident),* $(,)?) => {
         const MODELS: &[&str] = &[$(stringify!($name)),*];
+        const FILES: &[&str] = &[$(stringify!($file)),*];
 
         fn of_model(what: &str, model: &str) {
             match (what, model) {
                 $(
-                    ("evaluation", stringify!($name)) => evaluation::<$model>(),
-                    ("step", stringify!($name)) => step::<$model>(),
+                    ("evaluation", stringify!($name)) => evaluation::<$file::$model>(),
+                    ("step", stringify!($name)) => step::<$file::$model>(),
                 )*
                 _ => panic!("{what} {model} is none of these: look_up, evaluation, step; {MODELS:?}"),
             }
@@ -34,13 +34,13 @@ macro_rules! models {
 }
 
 models!(
-    double_pendulum: DoublePendulum,
-    four_bar: FourBar,
+    double_pendulum: double_pendulum::DoublePendulum,
+    four_bar: four_bar::FourBar,
     n_four_bar_10: n_four_bar::NFourBar10,
     n_four_bar_40: n_four_bar::NFourBar40,
-    andrews: Andrews,
-    panda: Panda,
-    bricard: Bricard,
+    andrews: andrews::Andrews,
+    panda: panda::Panda,
+    bricard: bricard::Bricard,
 );
 
 fn main() {
@@ -48,6 +48,11 @@ fn main() {
     let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
     match arguments[..] {
         ["models"] => MODELS.iter().for_each(|model| println!("{model}")),
+        ["files"] => {
+            let mut files = FILES.to_vec();
+            files.dedup();
+            files.iter().for_each(|file| println!("{file}"));
+        }
         ["look_up", knots, argument] => look_up::look_up(knots, argument),
         [what, model] => of_model(what, model),
         _ => panic!("instructions look_up KNOTS ARGUMENT, or evaluation or step and one of {MODELS:?}"),
@@ -70,7 +75,8 @@ fn evaluation<M: Assemble<f64, Inputs: Fields<f64>> + Default>() {
     let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
     let function = if model.null_space_first() { M::null_space_baumgarte } else { M::acceleration_baumgarte };
     counted(TIMES, || {
-        let pivot = black_box(function)(&model, 0.0, black_box(&state), &inputs, 20.0, 100.0, &mut a, &mut lambda);
+        let pivot =
+            black_box(function)(&model, 0.0, black_box(&state), &inputs, 20.0, 100.0, &mut a, &mut lambda);
         black_box((pivot, &a, &lambda));
     });
 }
