@@ -49,6 +49,7 @@ SETTINGS = {
     "dump_truck_tipping": "--input valve=0.5",
     "loose_wrist": "--for 0.2s --step 10us --speed 0.1",
     "flexible_arm": "--for 10s --step 1ms --input yaw_torque=300*sin(pi*t/4) --input shoulder_torque=-150*sin(pi*t/4) --input elbow_torque=60*sin(pi*t/4)",
+    "princeton_beam": "--for 0.3s --step 10us --speed 0.1",
     "laval_rotor": "--for 1s --step 200us --speed 0.2",
     "flexible_quick_return": "--for 0.6s --step 10us --speed 0.1",
     "flexible_slider_crank": "--for 80ms --step 1us --speed 0.02",
@@ -76,7 +77,7 @@ SECTIONS = [
         "cam_lift_off", "geared_shafts", "ball_between_walls", "hammer_at_rigid_wall", "slider_crank_on_stop", "rimless_wheel", "woodpecker",
         "rod_on_pin", "rubbing_four_bar", "rolling",
         "rubbing_block", "held_block", "stick_slip", "lugre_block"]),
-    ("Flexible bodies", ["flexible_quick_return", "flexible_slider_crank", "flexible_pendulum", "spinning_beam", "flexible_arm", "laval_rotor"]),
+    ("Flexible bodies", ["flexible_quick_return", "flexible_slider_crank", "flexible_pendulum", "spinning_beam", "flexible_arm", "laval_rotor", "princeton_beam"]),
     ("Pendulums and tops", []),
 ]
 

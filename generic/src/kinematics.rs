@@ -185,6 +185,16 @@ impl Kinematics {
         }
     }
 
+    /// ω of a body or a section, world.
+    pub fn spin(&self, section: Section) -> V3 {
+        match section.body.and_then(|body| self.beam(body)) {
+            Some(beam) if !beam.spatial => {
+                plus(self.frame(section.body).spin, [0.0, 0.0, self.slope(section)[1]])
+            }
+            _ => self.turned(section).spin,
+        }
+    }
+
     /// By how much a section is turned against its body, to first order, and how fast.
     pub fn slope(&self, section: Section) -> [f64; 2] {
         let (Some(body), Some(x)) = (section.body, section.x) else { return [0.0; 2] };

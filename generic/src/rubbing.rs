@@ -5,7 +5,7 @@
 
 use crate::bristles::{Bristles, FORGETTING};
 use crate::friction;
-use crate::kinematics::{Kinematics, Place};
+use crate::kinematics::{Kinematics, Place, Section};
 use crate::law::{Law, Scratch};
 use crate::quantity::Pull;
 use crate::vector::*;
@@ -109,7 +109,7 @@ impl Spot {
             return 0.0;
         }
         let pressed = self.force.value(at, inputs, scratch);
-        let (first, second) = match &self.meeting.slides {
+        match &self.meeting.slides {
             Slides::Along(slip) => {
                 let rate = slip.course(at, scratch).rate;
                 let z = match law {
@@ -120,9 +120,9 @@ impl Spot {
                 slip.jet(at, scratch, |pull| add(pull.scaled(effort)));
                 return effort * rate;
             }
-            Slides::Surfaces { first, second, .. } => (first.body, second.body),
-        };
-        let Shift { v, arms: [arm, other], .. } = self.meeting.shift(at, scratch);
+            Slides::Surfaces { .. } => {}
+        }
+        let Shift { v, material: [here, there], .. } = self.meeting.shift(at, scratch);
         let force = match law {
             friction::Sliding::Remembers(bristles) => {
                 let (v, ways) = self.meeting.components(bristles, at, scratch);
@@ -136,9 +136,8 @@ impl Spot {
                 [-resisted[0], -resisted[1], -resisted[2]]
             }
         };
-        add(Pull::on(first, force, cross(arm, force)));
-        let back = times(-1.0, force);
-        add(Pull::on(second, back, cross(other, back)));
+        add(here.pulled(force));
+        add(there.pulled(times(-1.0, force)));
         dot(force, v)
     }
 }
@@ -149,8 +148,37 @@ struct Shift {
     v: V3,
     /// Of unit length, by which the gap pushes the first.
     normal: V3,
-    /// From each body to where they touch.
-    arms: [V3; 2],
+    /// Of each body, where they touch.
+    material: [Material; 2],
+}
+
+/// What is just there, of a body or of the section of a beam.
+#[derive(Clone, Copy)]
+struct Material {
+    section: Section,
+    velocity: V3,
+    /// From the body's centre.
+    arm: V3,
+    /// From the place of the section.
+    lever: V3,
+}
+
+impl Material {
+    fn of(of: &Place, particle: bool, place: V3, at: &Kinematics) -> Self {
+        let (frame, point, section) = (at.frame(of.body), at.point(of), at.section(of));
+        if of.body.is_none() || particle {
+            return Material { section, velocity: point.velocity, arm: ZERO, lever: ZERO };
+        }
+        let lever = minus(place, point.position);
+        let velocity = plus(point.velocity, cross(at.spin(section), lever));
+        Material { section, velocity, arm: minus(place, frame.position), lever }
+    }
+
+    /// Along the velocity of it.
+    fn pulled(&self, force: V3) -> Pull {
+        let whole = Pull::on(self.section.body, force, cross(self.arm, force));
+        Pull { on_axis: self.section.x, section: cross(self.lever, force), ..whole }
+    }
 }
 
 impl Meets {
@@ -172,7 +200,8 @@ impl Meets {
 
     fn shift(&self, at: &Kinematics, scratch: &mut Scratch) -> Shift {
         let Slides::Surfaces { first, second, at: place, particles, .. } = &self.slides else {
-            return Shift { v: ZERO, normal: ZERO, arms: [ZERO; 2] };
+            let still = Material { section: Section::whole(None), velocity: ZERO, arm: ZERO, lever: ZERO };
+            return Shift { v: ZERO, normal: ZERO, material: [still; 2] };
         };
         let gap = self.gap.value(at, &[], scratch);
         let mut normal = ZERO;
@@ -186,21 +215,10 @@ impl Meets {
             At::World(point) => [0, 1, 2].map(|k| point[k].value(at, &[], scratch)),
             At::Under(radius) => minus(at.point(first).position, times(radius + 0.5 * gap, normal)),
         };
-        // Of material that is there, and from where its body is pushed.
-        let material = |of: &Place, particle: bool| {
-            let frame = at.frame(of.body);
-            match of.body {
-                None => (at.point(of).velocity, ZERO),
-                Some(_) if particle => (frame.velocity, ZERO),
-                Some(_) => {
-                    let arm = minus(place, frame.position);
-                    (plus(frame.velocity, cross(frame.spin, arm)), arm)
-                }
-            }
-        };
-        let ((here, arm), (there, other)) = (material(first, particles[0]), material(second, particles[1]));
-        let v = minus(here, there);
-        Shift { v: minus(v, times(dot(normal, v), normal)), normal, arms: [arm, other] }
+        let material = [(first, particles[0]), (second, particles[1])];
+        let material = material.map(|(of, particle)| Material::of(of, particle, place, at));
+        let v = minus(material[0].velocity, material[1].velocity);
+        Shift { v: minus(v, times(dot(normal, v), normal)), normal, material }
     }
 }
 

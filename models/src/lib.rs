@@ -48,6 +48,7 @@ pub mod n_four_bar;
 pub mod panda;
 pub mod planetary_gear_train;
 pub mod planetary_stage;
+pub mod princeton_beam;
 pub mod quick_return;
 pub mod rear_wheel;
 pub mod rimless_wheel;
@@ -181,6 +182,7 @@ macro_rules! for_each_model {
             spin_up_without_stiffening: $crate::spinning_beam::SpinUpWithoutStiffening,
             flexible_arm: $crate::flexible_arm::FlexibleArm,
             laval_rotor: $crate::laval_rotor::LavalRotor,
+            princeton_beam: $crate::princeton_beam::PrincetonBeam,
             rod_on_pin: $crate::rod_on_pin::RodOnPin,
             rubbing_four_bar: $crate::rubbing_four_bar::RubbingFourBar,
             rubbing_four_bars: $crate::rubbing_four_bar::RubbingFourBars,

@@ -119,14 +119,19 @@ class Contacts:
         return found
 
     def _material(self, place, point):
-        """Of what is fixed to the body of a place and is just there."""
+        """Of what is fixed to the body of a place, or to the section of a beam, and is just there."""
         if place.body is not None and self.model.bodies[place.body].particle:
             return self.kinematics.rate(self.kinematics.position(place))
         axes = self._axes(place)
         at = self.kinematics.position(place)
         fixed = ca.SX.sym("fixed", self.model.dimension)
         velocity = self.kinematics.rate(at + ca.mtimes(axes, fixed))
-        return ca.substitute(velocity, fixed, ca.mtimes(axes.T, point - at))
+        velocity = ca.substitute(velocity, fixed, ca.mtimes(axes.T, point - at))
+        if self.model.dimension == 2:
+            # Axes in the plane are those of the body; the section of a beam turns beyond it.
+            x, y = ca.vertsplit(point - at)
+            velocity += self.kinematics.slope(place, of_rates=True) * ca.vertcat(-y, x)
+        return velocity
 
     def forces(self, name):
         if name not in self._forces:

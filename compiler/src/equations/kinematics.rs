@@ -119,10 +119,10 @@ impl<'g> On<'g, &'g Kinematics> {
         }
     }
 
-    /// The same of what a place belongs to: of a beam, of the section there.
+    /// The same of what a place on a body belongs to: of a beam, of the section there. In the plane there is one.
     pub fn turning_at(self, laws: &Laws<'g>, place: &Place) -> Vec<Moving<'g>> {
         match self.bare {
-            Kinematics::Plane(_) => Vec::new(),
+            Kinematics::Plane(plane) => self.g.on(plane).turning_at(laws, place).into_iter().collect(),
             Kinematics::Space(space) => {
                 let space = self.g.on(space);
                 space.link_turning_in_world(space.spot(laws, place).link).to_vec()

@@ -141,9 +141,10 @@ pub(crate) fn toothing_on_beam(beam: &str) -> String {
     )
 }
 
-pub(crate) fn surface_on_beam(beam: &str) -> String {
+pub(crate) fn surface_along_beam(surface: &str, place: &str) -> String {
     format!(
-        "a surface on the beam `{beam}` would have to bend with it: fix a part to the beam and give that the surface"
+        "the surface `{surface}` goes on from `{place}`, which is on what bends, and would have to bend with it: give each place \
+         along it a point, circle or sphere of its own, or fix a part to it and give that the surface"
     )
 }
 

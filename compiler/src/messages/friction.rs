@@ -114,12 +114,6 @@ pub(crate) fn friction_without_slip(contact: &str, limits: bool) -> String {
     }
 }
 
-pub(crate) fn friction_on_beam(contact: &str, place: &str) -> String {
-    format!(
-        "`{place}` is on a beam, along which no friction acts yet: leave out the friction of `{contact}`, or make the beam a rod"
-    )
-}
-
 pub(crate) fn static_below_kinetic(most: f64, least: f64) -> String {
     format!(
         "what holds is less than what slides: the coefficient at rest, {}, is below that of sliding, {}; write the larger as `static`",

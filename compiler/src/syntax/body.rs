@@ -106,9 +106,6 @@ impl Parser<'_> {
                 body.markers.push(marker);
                 Ok(())
             }
-            Some("surface") if form.is_beam() => {
-                self.fail(c.region(), messages::surface_on_beam(&body.name.text))
-            }
             Some("surface") => {
                 c.advance();
                 let surface = self.surface(c, Some(&body.name))?;

@@ -8,7 +8,7 @@ use crate::units;
 use proc_macro2::Delimiter;
 
 /// What a body cannot have that deforms so.
-const NOT_ON_IT: [&str; 4] = ["marker", "line", "toothing", "surface"];
+const NOT_ON_IT: [&str; 3] = ["marker", "line", "toothing"];
 const OF_THE_FILE: [&str; 4] = ["center", "inertia", "products", "inertia_axes"];
 
 impl Parser<'_> {

@@ -1,8 +1,9 @@
 //! Beams in space against what is known of them: the same beam in the plane, closed forms of bars that stand, spin and are loaded, and
 //! what a beam keeps that nothing holds.
 
-use linkwright::{Rk4, Simulation};
+use linkwright::{Mechanism, Rk4, Simulation, State, equilibrium};
 use linkwright_models::flexible_arm::{FlexibleArm, FlexibleArmInputs};
+use linkwright_models::princeton_beam::{PrincetonBeam, PrincetonBeamParameters};
 use std::f64::consts::PI;
 
 linkwright::mechanism! {
@@ -177,6 +178,68 @@ fn a_thrown_stick_keeps_energy_and_momentum() {
     };
     let [coarse, fine] = [1e-4, 5e-5].map(lost);
     assert!(fine < 1e-8 && coarse > 8.0 * fine, "{coarse} {fine}");
+}
+
+// The strip of `models/src/princeton_beam.rs` as two beams.
+linkwright::mechanism! {
+    spatial PrincetonBeamOfTwo {
+        param load [N] = 4.448 in 0..10;
+        param way [deg] = 30 in 0..90;
+        repeat i in 0..2 {
+            beam strip[i] { length [mm] = 254; section = rectangle(height [mm] = 12.7, width [mm] = 3.175); young [GPa] = 71.7;
+                            shear_modulus [GPa] = 27.366; density [kg/m^3] = 2700; modes = (bending_y = 2, bending_z = 2, torsion = 1);
+                            shapes = static; }
+        }
+        joint root: fixed(ground(0, 0, 0) [m], strip[0].start);
+        joint seam: fixed(strip[0].end, strip[1].start);
+        force pull: force(strip[1].end) = (0 [N], load*cos(way), load*sin(way));
+        options { coordinates = tree; emit = (tangent); }
+        output stiff [mm] = strip[1].end.y;
+        output soft [mm] = strip[1].end.z;
+    }
+}
+
+/// The end at rest (stiff, soft), mm, against a geometrically exact rod: how far off two beams and four are, which is less by
+/// four as they are half as long, and how far at twice the load.
+#[test]
+fn the_princeton_beam() {
+    let pulls = [
+        (4.448, 0.0, [5.003_937, 0.0]),
+        (4.448, 30.0, [4.444_571, 39.952_56]),
+        (4.448, 60.0, [2.686_855, 68.131_57]),
+        (4.448, 90.0, [0.0, 78.083_06]),
+        (8.896, 30.0, [9.543_962, 79.476_94]),
+        (8.896, 60.0, [6.317_586, 129.935_05]),
+    ];
+    // Relative, at each load: the stiff way and the soft way.
+    let off = |expected: [f64; 2], found: [f64; 2]| {
+        [0, 1].map(|k| if expected[k] == 0.0 { found[k].abs() } else { (found[k] / expected[k] - 1.0).abs() })
+    };
+    macro_rules! errors {
+        ($model:ident, $parameters:ident) => {
+            pulls.map(|(load, way, expected)| {
+                let parameters = $parameters { load, way: way / 180.0 * PI };
+                let model = $model::<f64>::prepare(parameters).expect("within bounds");
+                let rest = equilibrium(&model, 0.0, &$model::START.q, &()).expect("there is one");
+                let state = State { q: rest.q, ..$model::START };
+                let outputs = model.outputs(0.0, &state, &());
+                off(expected, [1e3 * outputs.stiff, 1e3 * outputs.soft])
+            })
+        };
+    }
+    let two = errors!(PrincetonBeamOfTwo, PrincetonBeamOfTwoParameters);
+    let four = errors!(PrincetonBeam, PrincetonBeamParameters);
+    let largest = |of: &[[f64; 2]], way: usize| of.iter().map(|it| it[way]).fold(0.0, f64::max);
+    for (errors, [stiff, soft], [stiff_of_all, soft_of_all]) in
+        [(two, [0.034, 0.003], [0.103, 0.009]), (four, [0.01, 0.001], [0.03, 0.003])]
+    {
+        assert!(largest(&errors[..4], 0) < stiff && largest(&errors[..4], 1) < soft, "{errors:?}");
+        assert!(largest(&errors, 0) < stiff_of_all && largest(&errors, 1) < soft_of_all, "{errors:?}");
+    }
+    // What the two ways do to one another is of second order: a quarter with half the length.
+    for (at, quarter) in [(1, 3.3), (2, 3.5), (4, 3.4), (5, 3.5)] {
+        assert!(two[at][0] > quarter * four[at][0], "{} {}", two[at][0], four[at][0]);
+    }
 }
 
 /// A slew of eight seconds and two more: as converged in steps, and within a micrometre of what four shapes each way give.

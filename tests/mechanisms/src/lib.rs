@@ -22,5 +22,6 @@ pub mod zoo_modal;
 pub mod zoo_parts;
 pub mod zoo_profiles;
 pub mod zoo_rubbing;
+pub mod zoo_rubbing_beams;
 pub mod zoo_space;
 pub mod zoo_tangent;

@@ -16,7 +16,6 @@ linkwright::mechanism! {
         beam l { theory = timoshenko; }
         beam m { shapes = free; shapes = clamped; }
         beam o { toothing rim: external(teeth = 20, module [mm] = 2); }
-        beam p { surface tip: circle(radius [mm] = 2); }
         beam n { line edge = (n.start, n.end); }
     }
 }

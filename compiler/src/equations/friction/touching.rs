@@ -3,14 +3,14 @@
 //! ```text
 //! v = ṗ₁ + ω₁ × (P − p₁) − ṗ₂ − ω₂ × (P − p₂),    v_t = v − n (n·v)    (m/s)
 //! ```
-//! of the material of both bodies, p being a place of each and n the normal. In the plane it is one number, along n turned by a right angle
+//! of the material of both bodies, p being a place of each, ω of a beam that of the section there, and n the normal. In the plane it is one number, along n turned by a right angle
 //! clockwise, which on a half-plane is the direction of its line. Forces along it act on both bodies at P: they are opposite, and turn
 //! nothing together.
 
 use super::Slip;
 use crate::equations::jet::Moving;
 use crate::equations::laws::{Known, Laws};
-use crate::model::{BodyId, Expr, Frame, Load, LoadId, Place, Rotor, Sliding, Space, Spot};
+use crate::model::{Expr, Frame, Load, LoadId, Place, Sliding, Space, Spot};
 use crate::symbolic::{Compare, Scalar};
 
 /// Of each gap of a contact.
@@ -75,12 +75,12 @@ fn turned<'g>(laws: &Laws<'g>, spot: &Spot, point: &[Moving<'g>], normal: &[Movi
         let place = &spot.places[which];
         let at = laws.kinematics().world(laws, place);
         let along = x_rate * at[0].rate() + y_rate * at[1].rate();
-        match turning_with(laws, place) {
-            Some(body) => {
+        match turning(laws, place).first() {
+            Some(turning) => {
                 let [dx, dy] = [0, 1].map(|axis| point[axis].value() - at[axis].value());
                 let [dx_rate, dy_rate] = [0, 1].map(|axis| point[axis].rate() - at[axis].rate());
                 let lever = y_rate * dx - x_rate * dy + y * dx_rate - x * dy_rate;
-                along + lever * laws.kinematics().rotor_rate(laws, Rotor::Body(body)).rate()
+                along + lever * turning.rate()
             }
             None => along,
         }
@@ -95,10 +95,10 @@ fn in_plane<'g>(laws: &Laws<'g>, spot: &Spot, point: &[Scalar<'g>], normal: &[Sc
         let place = &spot.places[which];
         let at = laws.kinematics().world(laws, place);
         let along = x * &at[0] + y * &at[1];
-        match turning_with(laws, place) {
-            Some(body) => {
+        match turning(laws, place).first() {
+            Some(turning) => {
                 let lever = y * (point[0] - at[0].value()) - x * (point[1] - at[1].value());
-                along + lever * laws.kinematics().rotor_rate(laws, Rotor::Body(body))
+                along + lever * turning
             }
             None => along,
         }
@@ -111,8 +111,10 @@ fn in_space<'g>(laws: &Laws<'g>, spot: &Spot, point: &[Scalar<'g>]) -> Vec<Movin
     let [first, second] = [0, 1].map(|which| {
         let place = &spot.places[which];
         let at = laws.kinematics().world(laws, place);
-        let Some(body) = turning_with(laws, place) else { return at };
-        let turning = laws.kinematics().turning(body);
+        let turning = turning(laws, place);
+        if turning.is_empty() {
+            return at;
+        }
         let arm: Vec<Scalar> = point.iter().zip(&at).map(|(p, at)| *p - at.value()).collect();
         let axes = at.iter().enumerate();
         axes.map(|(axis, at)| {
@@ -124,9 +126,12 @@ fn in_space<'g>(laws: &Laws<'g>, spot: &Spot, point: &[Scalar<'g>]) -> Vec<Movin
     first.iter().zip(&second).map(|(first, second)| first - second).collect()
 }
 
-fn turning_with(laws: &Laws, place: &Place) -> Option<BodyId> {
+/// ω of the material at a place about the axes of the world, in the plane one; nothing of what does not turn.
+fn turning<'g>(laws: &Laws<'g>, place: &Place) -> Vec<Moving<'g>> {
     match place.frame {
-        Frame::Body(body) if laws.mechanism.bodies[body.0].form.turns => Some(body),
-        _ => None,
+        Frame::Body(body) if laws.mechanism.bodies[body.0].form.turns => {
+            laws.kinematics().turning_at(laws, place)
+        }
+        _ => Vec::new(),
     }
 }

@@ -139,6 +139,16 @@ impl<'g> On<'g, &'g Kinematics> {
         }
     }
 
+    /// θ̇ of the body that a place is on, and of a beam what the section there turns beyond it.
+    pub fn turning_at(self, laws: &Laws<'g>, place: &Place) -> Option<Moving<'g>> {
+        let Frame::Body(body) = place.frame else { return None };
+        let turn = self.rotor_rate(laws, Rotor::Body(body));
+        Some(match self.slope(laws, place) {
+            Some(slope) => turn + slope,
+            None => turn,
+        })
+    }
+
     /// Travel of a joint: â·(p₂ − p₁), â along its axis, or along one of the first place's axes where it has none.
     pub fn travel(self, laws: &Laws<'g>, joint: JointId, which: usize) -> Moving<'g> {
         let joint = &laws.mechanism.joints[joint.0];

@@ -44,12 +44,7 @@ impl<'d> Lowering<'d> {
 
     /// A contact whose surfaces slide on each other.
     pub(in crate::model) fn touching(&mut self, index: usize, label: &Label) -> Option<Subject> {
-        if let Slides::Surfaces(pair) = self.geometry(index)?.slides
-            && let Some(place) = pair.shapes.iter().map(|shape| shape.place()).find(|it| self.bends(it.frame))
-        {
-            self.diagnostics.error(label.region, messages::friction_on_beam(&label.text, &place.text));
-            return None;
-        }
+        self.geometry(index)?;
         let limits = matches!(self.definition.contacts[index].on, ContactTerm::Limit(..));
         if self.sliding(index).is_none() {
             self.diagnostics.error(label.region, messages::friction_without_slip(&label.text, limits));

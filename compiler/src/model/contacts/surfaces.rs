@@ -242,6 +242,7 @@ impl<'d> Lowering<'d> {
         let minus = |x| fold::unary(Function1::Neg, x);
         let normal = if right { [y, minus(x), Expr::Number(0.0)] } else { [minus(y), x, Expr::Number(0.0)] };
         let place = Place { frame, at: from, axes: Axes::Parallel, of_mean: false, text, span };
+        self.straight(written, &place)?;
         Some(Shape::Flat { place, normal: normalised(normal) })
     }
 
@@ -355,6 +356,16 @@ impl<'d> Lowering<'d> {
                 continue;
             };
             self.diagnostics.error(pair[1].span, message);
+            return None;
+        }
+        self.straight(written, places[0])
+    }
+
+    /// What stands between several places stays as it is.
+    fn straight(&mut self, written: &'d syntax::Surface, place: &Place) -> Option<()> {
+        if self.bends(place.frame) {
+            let message = messages::surface_along_beam(&written.name.text, &place.text);
+            self.diagnostics.error(place.span, message);
             return None;
         }
         Some(())
