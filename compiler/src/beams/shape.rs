@@ -11,7 +11,8 @@ pub enum Shape {
 }
 
 impl Shape {
-    /// The derivative of an order by ξ, of polynomials up to that of the stiffness; what is zero but for rounding, as at a clamp, is zero.
+    /// The derivative of an order by ξ, of polynomials up to that of the stiffness; what is zero but for rounding, as at a clamp, is zero, and
+    /// the value a whole number, as at the ends of waves.
     pub fn at(&self, share: f64, order: usize) -> f64 {
         match self {
             Shape::Wave(wave) => wave.at(share, order),
@@ -28,17 +29,19 @@ pub struct Wave {
     sine: f64,
     decay: f64,
     growth: f64,
+    /// 1 of what is the same from both ends, −1 of what has the other sign, else nothing.
+    mirrored: Option<f64>,
 }
 
 impl Wave {
     /// cos λξ.
     pub fn cosine(lambda: f64) -> Self {
-        Wave { lambda, cosine: 1.0, sine: 0.0, decay: 0.0, growth: 0.0 }
+        Wave { lambda, cosine: 1.0, sine: 0.0, decay: 0.0, growth: 0.0, mirrored: None }
     }
 
     /// sin λξ.
     pub fn sine(lambda: f64) -> Self {
-        Wave { lambda, cosine: 0.0, sine: 1.0, decay: 0.0, growth: 0.0 }
+        Wave { lambda, cosine: 0.0, sine: 1.0, decay: 0.0, growth: 0.0, mirrored: None }
     }
 
     /// cosh λξ + cos λξ − σ (sinh λξ + sin λξ), σ = (cosh λ − cos λ)/(sinh λ − sin λ). The mean of its square is 1.
@@ -48,7 +51,8 @@ impl Wave {
         let sigma = (libm::cosh(lambda) - cos) / below;
         // (1 − σ) e^λ/2.
         let growth = 0.5 * (cos - sin - small) / (below * small);
-        Wave { lambda, cosine: 1.0, sine: -sigma, decay: 0.5 * (1.0 + sigma), growth }
+        let mirrored = Some(-sin.signum());
+        Wave { lambda, cosine: 1.0, sine: -sigma, decay: 0.5 * (1.0 + sigma), growth, mirrored }
     }
 
     /// cosh λξ − cos λξ − σ (sinh λξ − sin λξ), σ = (sinh λ − sin λ)/(cosh λ + cos λ). The mean of its square is 1.
@@ -57,11 +61,18 @@ impl Wave {
         let below = libm::cosh(lambda) + cos;
         let sigma = (libm::sinh(lambda) - sin) / below;
         let growth = 0.5 * (cos + sin + small) / (below * small);
-        Wave { lambda, cosine: -1.0, sine: sigma, decay: 0.5 * (1.0 + sigma), growth }
+        Wave { lambda, cosine: -1.0, sine: sigma, decay: 0.5 * (1.0 + sigma), growth, mirrored: None }
     }
 
     fn at(&self, share: f64, order: usize) -> f64 {
-        let Wave { lambda, cosine, sine, decay, growth } = *self;
+        let Wave { lambda, cosine, sine, decay, growth, mirrored } = *self;
+        let sign = if order.is_multiple_of(2) { 1.0 } else { -1.0 };
+        // To the last digit, so that what one end has and the other takes away is nothing.
+        if let Some(mirrored) = mirrored
+            && share > 0.5
+        {
+            return sign * mirrored * self.at(1.0 - share, order);
+        }
         let (sin, cos) = (libm::sin(lambda * share), libm::cos(lambda * share));
         let (sin, cos) = match order % 4 {
             0 => (sin, cos),
@@ -69,9 +80,11 @@ impl Wave {
             2 => (-sin, -cos),
             _ => (-cos, sin),
         };
-        let sign = if order.is_multiple_of(2) { 1.0 } else { -1.0 };
         let falls = sign * decay * libm::exp(-lambda * share);
         let sum = cosine * cos + sine * sin + falls + growth * libm::exp(lambda * (share - 1.0));
-        if sum.abs() < 1e-13 { 0.0 } else { lambda.powi(order as i32) * sum }
+        // The ends of these shapes are at 0, ±1 or ±2.
+        let whole = sum.round();
+        let is_whole = whole == 0.0 || order == 0;
+        lambda.powi(order as i32) * if is_whole && (sum - whole).abs() < 1e-13 { whole } else { sum }
     }
 }

@@ -101,6 +101,25 @@ fn shapes_are_orthogonal_in_mass_and_stiffness() {
     }
 }
 
+/// Ends move by whole numbers, and by the same from both ends, so that what one has and the other takes away is nothing.
+#[test]
+fn ends_are_whole_and_mirrored() {
+    for shapes in [Shapes::Free, Shapes::Clamped, Shapes::Pinned] {
+        for mode in &slender(shapes, 0.35, MOST_MODES, MOST_MODES).modes {
+            for end in [0.0, 1.0] {
+                let value = mode.shape.at(end, 0);
+                assert!([0.0, 1.0, 2.0].contains(&value.abs()), "{shapes:?} {mode:?}: {value:?}");
+            }
+            if shapes == Shapes::Free && mode.way == Way::Bending {
+                for (order, share) in [(0, 0.0), (1, 0.0), (0, 0.125), (1, 0.25), (2, 0.375), (3, 0.25)] {
+                    let [one, other] = [share, 1.0 - share].map(|at| mode.shape.at(at, order).abs());
+                    assert_eq!(one, other, "{mode:?}");
+                }
+            }
+        }
+    }
+}
+
 /// Displacement and direction of what is held do not move at all.
 #[test]
 fn what_is_held_stays() {
