@@ -198,7 +198,7 @@ const HABITS: &[(&str, &str)] = &[
     ),
     (
         "gear g: gear(crank.pin, link.end, ratio = 2);",
-        "expected `,` or `)`, found `.`; joints and bodies are named here without a point",
+        "expected `,` or `)`, found `.`; joints and bodies are named here without a point, and two toothings bring their ratio: for these leave `ratio` out",
     ),
     (
         "damper d: damper(base, damping [N*m*s] = 0.1);",
