@@ -109,6 +109,9 @@ fn start_of_model(mechanism: Mechanism, asked: Coordinates) -> Result<Start, Dia
         return Err(errors);
     }
     // AFTER THIS POINT what will be written out is of a size to be read.
+    let Some((mechanism, equations)) = assemble::deflected(mechanism, equations, &mut errors) else {
+        return Err(errors);
+    };
     match assemble::assemble(&mechanism, &equations, &mut errors) {
         Some(assembly) => Ok(Start { mechanism, equations, assembly }),
         None => Err(errors),
@@ -128,6 +131,7 @@ pub fn compile_model(
     let spanning = tree.tree.clone();
     let tree = equations::without_redundant(&mechanism, spanning, tree, &assembly.omitted);
     // AFTER THIS POINT a consistent start is known and the constraint rows are independent there.
+    check::deflections(&mechanism, &tree, &assembly, &mut errors);
     motion::check(&mechanism, &tree, &assembly, &mut warnings, &mut errors);
     if !errors.is_empty() {
         return Err(errors);

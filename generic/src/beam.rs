@@ -1,12 +1,15 @@
 //! Beams: shapes, and M, forces and energies slice by slice. Nothing is integrated over shapes beforehand; each slice is
-//! a point mass whose velocity is that of its place on the deformed axis, drawn in by bending or not, and a disc that turns about the axis.
+//! a point mass whose velocity is that of its place on the deformed axis, drawn in by bending or not, and a disc that turns about the axis,
+//! or with shear about all axes.
 
 mod shape;
+mod thick;
 
 use crate::kinematics::Frame;
 use crate::vector::*;
 use shape::{Shape, polynomials, root, slices};
 use std::f64::consts::{FRAC_PI_2, PI};
+use thick::Sheared;
 
 /// Most modes of a beam, all kinds together.
 pub(crate) const MOST: usize = 48;
@@ -26,8 +29,8 @@ pub(crate) struct Beam {
     /// kg.
     mass: f64,
     pub spatial: bool,
-    /// In space: about its own axis, kg m².
-    spin: f64,
+    /// What its sections turn with about each axis: in space about its own, kg m².
+    spin: V3,
     /// N/m and N s/m of each mode.
     stiffness: Vec<f64>,
     damping: Vec<f64>,
@@ -51,6 +54,8 @@ pub(crate) struct Made<'a> {
     pub stiffens: bool,
     /// Whether the axial functions are polynomials whatever the others are.
     pub quadratic: bool,
+    /// Of sections that shear: I/A about z and about y, m², and E/(κ G).
+    pub thick: Option<([f64; 2], f64)>,
 }
 
 #[derive(Clone, Debug)]
@@ -60,6 +65,8 @@ struct Mode {
     axis: usize,
     twists: bool,
     shape: Shape,
+    /// In place of the shape where sections shear.
+    sheared: Option<Sheared>,
 }
 
 #[derive(Clone, Debug)]
@@ -68,6 +75,8 @@ struct Slice {
     /// Of the mass.
     share: f64,
     values: Vec<f64>,
+    /// How each mode turns the section as far as it has a moment of inertia.
+    turns: Vec<V3>,
     /// Γ at x, row by row.
     gammas: Vec<f64>,
 }
@@ -109,7 +118,13 @@ impl Beam {
         };
         for number in 0..axial {
             let shape = wave(stretched.get(number), number);
-            modes.push(Mode { name: format!("axial[{number}]"), axis: 0, twists: false, shape });
+            modes.push(Mode {
+                name: format!("axial[{number}]"),
+                axis: 0,
+                twists: false,
+                shape,
+                sheared: None,
+            });
         }
         for (axis, number) in
             [1, 2].into_iter().flat_map(|axis| (0..bending[axis - 1]).map(move |k| (axis, k)))
@@ -129,11 +144,24 @@ impl Beam {
                 (true, 1) => "bending_y",
                 _ => "bending_z",
             };
-            modes.push(Mode { name: format!("{way}[{number}]"), axis, twists: false, shape });
+            let sheared = match made.thick {
+                Some((gyration, softness)) => {
+                    let r2 = gyration[axis - 1] / (length * length);
+                    Some(thick::modes(shapes, bending[axis - 1], r2, r2 * softness).get(number)?.clone())
+                }
+                None => None,
+            };
+            modes.push(Mode { name: format!("{way}[{number}]"), axis, twists: false, shape, sheared });
         }
         for number in 0..torsion {
             let shape = wave(twisted.get(number), number);
-            modes.push(Mode { name: format!("torsion[{number}]"), axis: 0, twists: true, shape });
+            modes.push(Mode {
+                name: format!("torsion[{number}]"),
+                axis: 0,
+                twists: true,
+                shape,
+                sheared: None,
+            });
         }
         let start = if shapes == "free" { -0.5 * length } else { 0.0 };
         let mut beam = Beam {
@@ -145,7 +173,12 @@ impl Beam {
             drawn: Vec::new(),
             mass: made.mass,
             spatial: made.spatial,
-            spin: made.mass * made.polar,
+            spin: match (made.thick, made.spatial) {
+                (None, true) => [made.mass * made.polar, 0.0, 0.0],
+                (None, false) => ZERO,
+                (Some(([z, y], _)), true) => times(made.mass, [made.polar, y, z]),
+                (Some(([z, _], _)), false) => [0.0, 0.0, made.mass * z],
+            },
             stiffness: Vec::new(),
             damping: Vec::new(),
         };
@@ -153,7 +186,10 @@ impl Beam {
             let x = start + length * share_of_length;
             let values = (0..beam.modes.len()).map(|mode| beam.derivative(mode, x, 0)).collect();
             let gammas = beam.gammas(x);
-            beam.slices.push(Slice { x, share, values, gammas });
+            let turns = (0..beam.modes.len()).map(|mode| beam.about(mode, x));
+            let turns = turns.map(|turn| [0, 1, 2].map(|k| if beam.spin[k] == 0.0 { 0.0 } else { turn[k] }));
+            let turns = turns.collect();
+            beam.slices.push(Slice { x, share, values, turns, gammas });
         }
         if beam.is_free() {
             let count = beam.slices[0].gammas.len();
@@ -169,9 +205,23 @@ impl Beam {
             let integral =
                 |f: &dyn Fn(&Slice) -> f64| -> f64 { beam.slices.iter().map(|it| it.share * f(it)).sum() };
             let rigidity = if mode.twists { made.rigidity[3] } else { made.rigidity[mode.axis] };
-            let stiffness = rigidity * length * integral(&bent);
-            let whole = if mode.twists { beam.spin } else { made.mass };
-            let moved = whole * integral(&|slice: &Slice| slice.values[index].powi(2));
+            let mut stiffness = rigidity * length * integral(&bent);
+            let whole = if mode.twists { beam.spin[0] } else { made.mass };
+            let mut moved = whole * integral(&|slice: &Slice| slice.values[index].powi(2));
+            if let (Some(sheared), Some((gyration, softness))) = (&mode.sheared, made.thick) {
+                let gyration = gyration[mode.axis - 1];
+                // ∫ EI ψ′² + κ G A (N′ − ψ)² dx, with κ G A = E A/softness.
+                let squares = |slice: &Slice| {
+                    let xi = (slice.x - start) / length;
+                    let ([_, psi], [slope, bend]) = (sheared.at(xi, 0), sheared.at(xi, 1));
+                    let (shear, bend) = ((slope - psi) / length, bend / (length * length));
+                    rigidity * (bend * bend + shear * shear / (softness * gyration))
+                };
+                stiffness = length * integral(&squares);
+                moved += made.mass
+                    * gyration
+                    * integral(&|slice: &Slice| dot(slice.turns[index], slice.turns[index]));
+            }
             beam.stiffness.push(stiffness);
             beam.damping.push(2.0 * made.damping_ratio * (stiffness * moved).sqrt());
         }
@@ -197,20 +247,33 @@ impl Beam {
         if self.modes[mode].twists { 0.0 } else { self.derivative(mode, x, 0) }
     }
 
-    /// N′ of a mode at x, by which it turns the section there by bending, 1/m.
+    /// N′ of a mode at x, or ψ of sections that shear, by which it turns the section there by bending, 1/m.
     pub fn slope(&self, mode: usize, x: f64) -> f64 {
+        match &self.modes[mode].sheared {
+            Some(sheared) => sheared.at((x - self.start) / self.length, 0)[1] / self.length,
+            None => self.rise(mode, x),
+        }
+    }
+
+    /// N′ of what is across the axis.
+    fn rise(&self, mode: usize, x: f64) -> f64 {
         if self.modes[mode].axis == 0 { 0.0 } else { self.derivative(mode, x, 1) }
+    }
+
+    /// How a mode turns the section at x, 1/m, of torsion 1.
+    fn about(&self, mode: usize, x: f64) -> V3 {
+        match self.modes[mode].axis {
+            0 if self.modes[mode].twists => [self.derivative(mode, x, 0), 0.0, 0.0],
+            0 => ZERO,
+            1 => [0.0, 0.0, self.slope(mode, x)],
+            _ => [0.0, -self.slope(mode, x), 0.0],
+        }
     }
 
     /// In space: Cayley's rotation by r = (Σ N_t p_t, −Σ N′ p_z, Σ N′ p_y), as the Euler parameters (1, r/2) of no particular length. With n their
     /// square and e the vector of r/2, ω′ = (ṙ + e × ṙ)/n in the axes of the body, so that ω̇′ at v̇ = 0 is −(n˙/n) ω′.
     pub fn turning(&self, x: f64, modal: &[[f64; 2]]) -> Turning {
-        let about = |mode: usize| match self.modes[mode].axis {
-            0 if self.modes[mode].twists => [self.derivative(mode, x, 0), 0.0, 0.0],
-            0 => ZERO,
-            1 => [0.0, 0.0, self.slope(mode, x)],
-            _ => [0.0, -self.slope(mode, x), 0.0],
-        };
+        let about = |mode: usize| self.about(mode, x);
         let (mut half, mut half_rate) = (ZERO, ZERO);
         for (mode, [p, rate]) in modal.iter().enumerate() {
             half = plus(half, times(0.5 * p, about(mode)));
@@ -233,8 +296,12 @@ impl Beam {
     }
 
     fn derivative(&self, mode: usize, x: f64, order: usize) -> f64 {
-        let xi = (x - self.start) / self.length;
-        self.modes[mode].shape.at(xi, order) / self.length.powi(order as i32)
+        let (xi, mode) = ((x - self.start) / self.length, &self.modes[mode]);
+        let value = match &mode.sheared {
+            Some(sheared) => sheared.at(xi, order)[0],
+            None => mode.shape.at(xi, order),
+        };
+        value / self.length.powi(order as i32)
     }
 
     /// Γ_jk = ∫ N_j′ N_k′ up to x, row by row; nothing of a beam whose places move across alone.
@@ -243,7 +310,7 @@ impl Beam {
         let span = x - self.start;
         let mut gammas = vec![0.0; count * count];
         for (at, weight) in slices().iter().filter(|_| count > 0) {
-            let slopes: Vec<f64> = (0..count).map(|mode| self.slope(mode, self.start + span * at)).collect();
+            let slopes: Vec<f64> = (0..count).map(|mode| self.rise(mode, self.start + span * at)).collect();
             for (k, gamma) in gammas.iter_mut().enumerate() {
                 // What moves across two ways has slopes across one another.
                 if self.modes[k / count].axis == self.modes[k % count].axis {
@@ -309,10 +376,12 @@ impl Beam {
         let width = self.pose() + self.modes.len();
         for slice in &self.slices {
             let Moved { columns, .. } = self.moved(frame, slice, modal);
-            let about = self.about_axis(slice);
-            for (i, one) in about.iter().enumerate().filter(|(_, one)| **one != 0.0) {
-                for (j, other) in about.iter().enumerate().filter(|(_, other)| **other != 0.0) {
-                    put(i, j, slice.share * self.spin * one * other);
+            for axis in (0..3).filter(|axis| self.spin[*axis] != 0.0) {
+                let about = self.about_axis(slice, axis);
+                for (i, one) in about.iter().enumerate().filter(|(_, one)| **one != 0.0) {
+                    for (j, other) in about.iter().enumerate().filter(|(_, other)| **other != 0.0) {
+                        put(i, j, slice.share * self.spin[axis] * one * other);
+                    }
                 }
             }
             for (i, one) in columns[..width].iter().enumerate() {
@@ -335,8 +404,9 @@ impl Beam {
         if self.spatial {
             let omega = turned_back(&frame.axes, frame.spin);
             for slice in &self.slices {
-                let turning = slice.share * self.spin * self.turning_about(slice, omega[0], modal);
-                let gyroscopic = cross([turning, 0.0, 0.0], omega);
+                let turning = self.turning_of(slice, omega, modal);
+                let momentum = [0, 1, 2].map(|axis| slice.share * self.spin[axis] * turning[axis]);
+                let gyroscopic = cross(momentum, omega);
                 (0..3).for_each(|k| forces[3 + k] += gyroscopic[k]);
             }
         }
@@ -346,31 +416,26 @@ impl Beam {
     }
 
     pub fn kinetic(&self, frame: &Frame, modal: &[[f64; 2]]) -> f64 {
-        let about = dot(column(&frame.axes, 0), frame.spin);
-        let spin = if self.spatial { self.spin } else { 0.0 };
+        let omega = turned_back(&frame.axes, frame.spin);
         let of = self.slices.iter().map(|slice| {
             let Moved { velocity, .. } = self.moved(frame, slice, modal);
-            let turning = self.turning_about(slice, about, modal);
-            0.5 * slice.share * (self.mass * dot(velocity, velocity) + spin * turning * turning)
+            let turning = self.turning_of(slice, omega, modal).map(|rate| rate * rate);
+            0.5 * slice.share * (self.mass * dot(velocity, velocity) + dot(self.spin, turning))
         });
         of.sum()
     }
 
-    /// The rate at which a slice turns about the axis.
-    fn turning_about(&self, slice: &Slice, frame: f64, modal: &[[f64; 2]]) -> f64 {
-        let twisting = self.modes.iter().zip(&slice.values).zip(modal).filter(|((mode, _), _)| mode.twists);
-        frame + twisting.map(|((_, value), [_, rate])| value * rate).sum::<f64>()
+    /// The rates at which a slice turns, in the axes of the body.
+    fn turning_of(&self, slice: &Slice, frame: V3, modal: &[[f64; 2]]) -> V3 {
+        slice.turns.iter().zip(modal).fold(frame, |sum, (turn, [_, rate])| plus(sum, times(*rate, *turn)))
     }
 
-    /// Its columns, by the velocities of the frame and the modes; in the plane none.
-    fn about_axis(&self, slice: &Slice) -> [f64; 6 + MOST] {
+    /// The columns of one of them, by the velocities of the frame and the modes.
+    fn about_axis(&self, slice: &Slice, axis: usize) -> [f64; 6 + MOST] {
         let mut columns = [0.0; 6 + MOST];
-        if self.spatial {
-            columns[3] = 1.0;
-            for (k, (mode, value)) in self.modes.iter().zip(&slice.values).enumerate() {
-                columns[6 + k] = if mode.twists { *value } else { 0.0 };
-            }
-        }
+        columns[if self.spatial { 3 + axis } else { 2 }] = 1.0;
+        let own = columns[self.pose()..].iter_mut().zip(&slice.turns);
+        own.for_each(|(column, turn)| *column = turn[axis]);
         columns
     }
 

@@ -16,6 +16,7 @@ import numpy as np
 
 from expressions import entry, number
 from space_frames import tilde
+from thick import Thick
 
 SLICES = 24
 
@@ -58,12 +59,33 @@ class Beam:
             self.rigidity["torsion"] = given["shear_modulus"] * twisted
         self.polar = sum(moments) / self.area  # m² about the axis
         self.ratio = given.get("damping_ratio", ca.SX(0))
+        self.thick, self.gyration = {}, {}
+        if beam.get("theory") == "timoshenko":
+            self._shear(across, moments, section and section["kind"], lengths if section else {}, given, beam)
         self.stiffening = beam.get("stiffening", False)
         # The frame of free shapes stays in the centre of mass.
         mean = lambda j, k: sum(share * self._integral(j, k, x) for x, share in self.slices())
         bending = range(self.axial, self.bent) if self.stiffening else ()
         pairs = [(j, k) for j in bending for k in bending if self.directions[j] == self.directions[k]]
         self.drawn = {pair: mean(*pair) if self.shapes == "free" else 0.0 for pair in pairs}
+
+    def _shear(self, across, moments, kind, lengths, given, beam):
+        """Timoshenko's shapes, with the shear factor as written or Cowper's (J. Appl. Mech. 33, 1966)."""
+        value = lambda expression: float(ca.evalf(ca.SX(expression)))
+        young, shear = value(given["young"]), value(given["shear_modulus"])
+        nu = young / (2 * shear) - 1
+        if "shear_factor" in given:
+            factor = value(given["shear_factor"])
+        elif kind == "rectangle":
+            factor = 10 * (1 + nu) / (12 + 11 * nu)
+        else:
+            m2 = (value(lengths["inner"]) / value(lengths["outer"])) ** 2 if kind == "tube" else 0.0
+            factor = 6 * (1 + nu) * (1 + m2) ** 2 / ((7 + 6 * nu) * (1 + m2) ** 2 + (20 + 12 * nu) * m2)
+        self.shear = factor * shear * value(self.area)
+        for way, moment in zip(across, moments):
+            self.gyration[way] = value(moment) / value(self.area)
+            r2 = self.gyration[way] / self.length**2
+            self.thick[way] = Thick(self.shapes, beam[way], r2, r2 * young / (factor * shear))
 
     def points(self):
         middle = self.start + self.length / 2
@@ -79,7 +101,9 @@ class Beam:
         """N, N′ or N″ of a mode at x."""
         way, number = self.names[mode].rstrip("]").split("[")
         xi = (x - self.start) / self.length
-        if way in self.polynomials:
+        if way in self.thick:
+            value = self.thick[way].shape(int(number), xi, order)
+        elif way in self.polynomials:
             value = self.polynomials[way][int(number)].deriv(order)(xi) if order else self.polynomials[way][int(number)](xi)
         else:
             value = SHAPES[self.shapes, {"torsion": "axial"}.get(way, way.split("_")[0])](int(number), xi, order)
@@ -123,11 +147,40 @@ class Beam:
         return sum((self.slope_of(k, x) * p[k] for k in range(self.axial, self.bent)), ca.SX(0))
 
     def slope_of(self, mode, x):
+        """N′, or ψ of what shears."""
+        if self.thick and self.axial <= mode < self.bent:
+            return self._psi(mode, x, 0)
         return self.shape(mode, x, 1) if self.axial <= mode < self.bent else 0.0
+
+    def _psi(self, mode, x, order):
+        way, number = self.names[mode].rstrip("]").split("[")
+        value = self.thick[way].turn(int(number), (x - self.start) / self.length, order)
+        return 0.0 if abs(value) < 1e-12 else value / self.length ** (1 + order)
+
+    def turning_energy(self, omega, rates, mass):
+        """Of sections that shear: each turns with the frame and by its modes, about z in the plane and about all axes in space."""
+        energy = ca.SX(0)
+        for x, share in self.slices():
+            turns = [ca.SX(0)] * 3
+            for k in range(len(self.names)):
+                own = self.names[k].split("[")[0]
+                about, sign = {"torsion": (0, 1), "bending_z": (1, -1)}.get(own, (2, 1))
+                turns[about] += sign * (self.shape(k, x, 0) if k >= self.bent else self.slope_of(k, x)) * rates[k]
+            if self.dimension == 2:
+                squares = [(self.gyration["bending"], omega + turns[2])]
+            else:
+                about = [self.gyration["bending_y"] + self.gyration["bending_z"], self.gyration["bending_z"], self.gyration["bending_y"]]
+                squares = [(about[k], omega[k] + turns[k]) for k in range(3)]
+            energy += share * mass * sum(radius * rate**2 for radius, rate in squares) / 2
+        return energy
 
     def stiffness(self, mode):
         """∫ EA N′² dx, ∫ EI N″² dx or ∫ G J_t N′² dx."""
         order, way = 2 if self.axial <= mode < self.bent else 1, self.names[mode].split("[")[0]
+        if way in self.thick:
+            bent = sum(weight * self._psi(mode, x, 1) ** 2 for x, weight in self.slices())
+            sheared = sum(weight * (self.shape(mode, x, 1) - self._psi(mode, x, 0)) ** 2 for x, weight in self.slices())
+            return self.length * (self.rigidity[way] * bent + self.shear * sheared)
         integral = self.length * sum(weight * self.shape(mode, x, order) ** 2 for x, weight in self.slices())
         return self.rigidity[way] * integral
 
@@ -146,6 +199,9 @@ class Beam:
         if mode >= self.bent:
             mass = mass * self.polar
         own = sum(weight * self.shape(mode, x, 0) ** 2 for x, weight in self.slices())
+        way = self.names[mode].split("[")[0]
+        if way in self.thick:
+            own += self.gyration[way] * sum(weight * self._psi(mode, x, 0) ** 2 for x, weight in self.slices())
         return 2 * self.ratio * ca.sqrt(self.stiffness(mode) * mass * own)
 
 

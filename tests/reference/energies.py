@@ -129,6 +129,8 @@ class Energies:
                 for x, share in body.beam.slices():
                     rate = self.kinematics.rate(self._slice(name, x))
                     energy += share * body.mass * ca.dot(rate, rate) / 2
+                if body.beam.thick:
+                    energy += body.beam.turning_energy(poses[name].omega, self.kinematics.modes[name][1], body.mass)
                 continue
             vx, vy = rates[2 * index], rates[2 * index + 1]
             energy += body.mass * (vx**2 + vy**2) / 2 + body.inertia * poses[name].omega ** 2 / 2

@@ -27,6 +27,7 @@ class Modal:
 
     shapes = "modal"  # its frame is no place
     torsion = 0
+    thick = None
 
     def __init__(self, body, given):
         numbers = body["modal"]

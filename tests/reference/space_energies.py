@@ -1,7 +1,7 @@
 """Equations of motion of spatial mechanisms: Lagrange's equations in the redundant q, projected with q̇ = N(q) v.
 
     T(q, q̇, t) = Σ ½ m |ṙ|² + ½ tr(Ȧ S Ȧᵀ),   S = ½ tr(J) 1 − J = ∫ x xᵀ dm in body axes about the centre of mass,
-    of beams slice by slice, each of which turns about the axis by the rate of the frame and that of its twist,
+    of beams slice by slice, each of which turns about the axis by the rate of the frame and that of its twist, or with shear about all axes,
     of bodies with the modes of a file point by point, and what turns at their nodes by the rates of the frame and of the modes,
     M = Nᵀ (∂²T/∂q̇²) N,   Q = loads − Nᵀ ∂V/∂q − Nᵀ [(d/dt ∂T/∂q̇ at v̇ = 0) − ∂T/∂q].
 Ȧ is ∂A/∂q q̇, so no angular velocity occurs. Admissible variations are δq = N δπ, tangent to the unit circles and
@@ -33,12 +33,14 @@ class SpaceEnergies(Energies):
             own = rates[12 * index : 12 * index + 12]
             if not body.beam:
                 energy += body.mass * ca.dot(own[:3], own[:3]) / 2
-            if not body.particle and not self._twists(body):
+            shears = bool(getattr(body.beam, "thick", None))
+            if not body.particle and not self._twists(body) and not shears:
                 energy += self._turning(body, own[3:])
-            if isinstance(body.beam, Modal):
+            if isinstance(body.beam, Modal) or shears:
                 omega = vee(ca.mtimes(ca.SX(poses[index].matrix).T, ca.reshape(own[3:], 3, 3)))
                 modes = ca.vertcat(*kinematics.modes[body.name][0])
-                energy += body.beam.turning_energy(omega, ca.jtimes(modes, kinematics.q, self.q_dot))
+                modal = ca.jtimes(modes, kinematics.q, self.q_dot)
+                energy += body.beam.turning_energy(omega, modal, *([body.mass] if shears else []))
         for index, (mass, _) in enumerate(slices):
             own = rates[12 * len(bodies) + 3 * index : 12 * len(bodies) + 3 * index + 3]
             energy += mass * ca.dot(own, own) / 2
@@ -50,7 +52,7 @@ class SpaceEnergies(Energies):
 
     @staticmethod
     def _twists(body):
-        return body.beam is not None and body.beam.torsion > 0
+        return body.beam is not None and body.beam.torsion > 0 and not body.beam.thick
 
     @staticmethod
     def _turning(body, rates):

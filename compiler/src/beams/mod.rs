@@ -11,6 +11,7 @@ mod polynomial;
 mod roots;
 mod shape;
 mod stiffening;
+mod thick;
 
 #[cfg(test)]
 mod tests;
@@ -19,6 +20,7 @@ pub use bow::{Bow, Held, magnification};
 pub use gauss::Rule;
 pub use shape::{Shape, Wave};
 pub use stiffening::Shortening;
+pub use thick::{Beyond, Thick, Turning};
 
 use crate::forms::Space;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -53,6 +55,27 @@ impl Shapes {
             Self::Clamped => "clamped",
             Self::Pinned => "pinned",
             Self::Static => "static",
+        }
+    }
+}
+
+/// What bending does to sections.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Theory {
+    /// They stay across the axis, and their own rotary inertia is left out.
+    EulerBernoulli,
+    /// They shear, and have it.
+    Timoshenko,
+}
+
+impl Theory {
+    /// As written, the default first.
+    pub const ALL: [Self; 2] = [Self::EulerBernoulli, Self::Timoshenko];
+
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::EulerBernoulli => "euler_bernoulli",
+            Self::Timoshenko => "timoshenko",
         }
     }
 }
@@ -139,7 +162,9 @@ pub struct Mode {
     /// Which of its way.
     pub number: usize,
     pub shape: Shape,
-    /// ∫ (N″)² dx of bending, 1/m³; ∫ (N′)² dx of what is axial or torsion, 1/m. The shapes of one way are across to one another in it.
+    /// ψ L, by which a section is turned that shears; of all others it is N′ L.
+    pub turn: Option<Shape>,
+    /// ∫ (N″)² dx of bending, 1/m³, with shear ∫ (ψ′)² + (κ G A/E I) (N′ − ψ)² dx; ∫ (N′)² dx of what is axial or torsion, 1/m. The shapes of one way are across to one another in it.
     pub stiffness: f64,
 }
 
@@ -159,19 +184,34 @@ pub struct Slender {
     pub first: Vec<f64>,
     /// Mean of their products, two by two.
     pub second: Vec<Vec<f64>>,
+    /// Of sections that shear.
+    pub turning: Option<Turning>,
 }
 
 impl Slender {
     pub fn new(shapes: Shapes, length: f64, counts: Counts) -> Self {
+        let bending = |way: Way, count: usize| bending_modes(shapes, length, way, count);
+        let across = [bending(Way::Bending, counts.bending), bending(Way::BendingZ, counts.bending_z)];
+        Self::of(shapes, length, counts, across.concat())
+    }
+
+    /// Timoshenko's, of sections along y and along z.
+    pub fn thick(shapes: Shapes, length: f64, counts: Counts, thick: [Thick; 2]) -> Result<Self, Beyond> {
+        let [along_y, along_z] = thick;
+        let mut bending = along_y.modes(shapes, length, Way::Bending, counts.bending)?;
+        bending.extend(along_z.modes(shapes, length, Way::BendingZ, counts.bending_z)?);
+        Ok(Self::of(shapes, length, counts, bending).turning(thick))
+    }
+
+    fn of(shapes: Shapes, length: f64, counts: Counts, bending: Vec<Mode>) -> Self {
         let from = if shapes == Shapes::Free { -0.5 * length } else { 0.0 };
         let axial = if counts.quadratic { Shapes::Static } else { shapes };
         let mut modes = axial_modes(axial, length, Way::Axial, counts.axial);
-        modes.extend(bending_modes(shapes, length, Way::Bending, counts.bending));
-        modes.extend(bending_modes(shapes, length, Way::BendingZ, counts.bending_z));
+        modes.extend(bending);
         // A shaft's twist has the equation of a bar's stretch.
         modes.extend(axial_modes(shapes, length, Way::Torsion, counts.torsion));
         let (first, second) = means(shapes, from, length, &modes);
-        Slender { shapes, length, from, modes, shortenings: Vec::new(), first, second }
+        Slender { shapes, length, from, modes, shortenings: Vec::new(), first, second, turning: None }
     }
 
     /// Whether a place at x is on the axis.
@@ -189,12 +229,15 @@ impl Slender {
         self.modes.iter().map(value).collect()
     }
 
-    /// By how much each mode turns the section at x: N′ of bending, 1/m, N of torsion, 1, of what is axial nothing.
+    /// By how much each mode turns the section at x: N′ of bending, or ψ, 1/m, N of torsion, 1, of what is axial nothing.
     pub fn slopes(&self, x: f64) -> Vec<f64> {
         let slope = |mode: &Mode| match mode.way {
             Way::Axial => 0.0,
             Way::Torsion => mode.shape.at(self.share(x), 0),
-            Way::Bending | Way::BendingZ => mode.shape.at(self.share(x), 1) / self.length,
+            Way::Bending | Way::BendingZ => match &mode.turn {
+                Some(turn) => turn.at(self.share(x), 0) / self.length,
+                None => mode.shape.at(self.share(x), 1) / self.length,
+            },
         };
         self.modes.iter().map(slope).collect()
     }
@@ -212,7 +255,13 @@ impl Slender {
     /// ω² of a mode by EA or EI and the mass, of torsion by G J_t and the moment of inertia about the axis, (rad/s)²: its stiffness by what
     /// it moves.
     pub fn square_of_rate(&self, mode: usize, rigidity: f64, mass: f64) -> f64 {
-        self.modes[mode].stiffness * rigidity / (mass * self.second[mode + 1][mode + 1])
+        self.modes[mode].stiffness * rigidity / (mass * self.moved(mode))
+    }
+
+    /// What a mode moves, by the mass, of torsion by the moment of inertia about the axis: the mean of its square, with what turns.
+    pub fn moved(&self, mode: usize) -> f64 {
+        let turning = self.turning.as_ref().map_or(0.0, |turning| turning.second[mode][mode]);
+        self.second[mode + 1][mode + 1] + turning
     }
 
     /// The part of the length before x.
@@ -234,7 +283,7 @@ fn axial_modes(shapes: Shapes, length: f64, way: Way, count: usize) -> Vec<Mode>
         };
         // The mean of a squared sine or cosine over whole quarters is a half.
         let stiffness = 0.5 * lambda * lambda / length;
-        Mode { way, number, shape: Shape::Wave(shape), stiffness }
+        Mode { way, number, shape: Shape::Wave(shape), turn: None, stiffness }
     };
     match shapes {
         Shapes::Static => polynomial_modes(way, count, 1, length),
@@ -260,7 +309,7 @@ fn bending_modes(shapes: Shapes, length: f64, way: Way, count: usize) -> Vec<Mod
             }
         };
         let stiffness = square * lambda.powi(4) / length.powi(3);
-        Mode { way, number, shape: Shape::Wave(shape), stiffness }
+        Mode { way, number, shape: Shape::Wave(shape), turn: None, stiffness }
     };
     match shapes {
         Shapes::Static => polynomial_modes(way, count, 2, length),
@@ -275,6 +324,7 @@ fn polynomial_modes(way: Way, count: usize, order: usize, length: f64) -> Vec<Mo
         way,
         number,
         shape: Shape::Polynomial(found.shape),
+        turn: None,
         stiffness: scale * found.stiffness,
     };
     modes.map(mode).collect()
@@ -300,7 +350,9 @@ fn means(shapes: Shapes, from: f64, length: f64, modes: &[Mode]) -> (Vec<f64>, V
         first[i] = crisp(first[i]);
         for j in 0..count {
             second[i][j] = crisp(second[i][j]);
-            let orthogonal = i > 0 && j > 0 && modes[i - 1].way == modes[j - 1].way;
+            // With the rotary inertia of sections only the sum is.
+            let orthogonal =
+                i > 0 && j > 0 && modes[i - 1].way == modes[j - 1].way && modes[i - 1].turn.is_none();
             if orthogonal && i != j {
                 second[i][j] = 0.0;
             }
@@ -310,7 +362,7 @@ fn means(shapes: Shapes, from: f64, length: f64, modes: &[Mode]) -> (Vec<f64>, V
         // The frame is that of the mean motion: neither momentum nor moment of momentum in bending.
         for (index, mode) in modes.iter().enumerate() {
             first[index + 1] = 0.0;
-            if mode.way.bends() {
+            if mode.way.bends() && mode.turn.is_none() {
                 (second[0][index + 1], second[index + 1][0]) = (0.0, 0.0);
             }
         }

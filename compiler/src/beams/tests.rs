@@ -1,5 +1,7 @@
 //! Roots and means against published values, closed forms and finer quadrature.
 
+mod shear;
+
 use super::*;
 
 fn slender(shapes: Shapes, length: f64, axial: usize, bending: usize) -> Slender {

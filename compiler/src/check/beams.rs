@@ -13,7 +13,7 @@ use super::rules::at_defaults;
 use super::warnings::Wanted;
 use crate::beams::{Shapes, Way};
 use crate::diagnostics::{Diagnostics, Lint};
-use crate::equations::Equations;
+use crate::equations::{Equations, Linear};
 use crate::messages;
 use crate::model::{Beam, Body, BodyId, Expr, Frame, JointId, Mechanism, Place, Side};
 use crate::solve::Solved;
@@ -43,12 +43,53 @@ pub(super) fn frequencies(mechanism: &Mechanism, errors: &mut Diagnostics) {
     }
 }
 
+/// Places of beams are off the axes of their frames at the start as far as is expected.
+pub fn deflections(
+    mechanism: &Mechanism,
+    equations: &Equations,
+    assembly: &Assembly,
+    errors: &mut Diagnostics,
+) {
+    for expected in &mechanism.expect.deflections {
+        let body = &mechanism.bodies[expected.body.0];
+        let Some(beam) = body.beam() else { continue };
+        let coordinate = |mode: usize| {
+            let own = Linear::Mode(expected.body, mode);
+            let index = equations.layout.linear.iter().position(|linear| *linear == own);
+            index.map_or(0.0, |index| assembly.q[index])
+        };
+        let modes = beam.slender.modes.iter().zip(beam.slender.values(expected.x)).enumerate();
+        let along = |axis: usize| -> f64 {
+            let own = modes.clone().filter(|(_, (mode, _))| mode.way.bends() && mode.way.axis() == axis);
+            own.map(|(index, (_, value))| value * coordinate(index)).sum()
+        };
+        let found = libm::hypot(along(1), along(2));
+        let holds = match expected.side {
+            Side::Above => found >= expected.bound,
+            Side::Below => found <= expected.bound,
+        };
+        if !holds {
+            let above = expected.side == Side::Above;
+            let bent = mechanism.deflected.iter().any(|(body, _)| *body == expected.body);
+            let message = messages::deflection_missed(
+                &expected.text,
+                &body.name.text,
+                found,
+                above,
+                expected.bound,
+                bent,
+            );
+            errors.error(expected.span, message);
+        }
+    }
+}
+
 /// A beam is long in its thickness.
 pub(super) fn beams_are_slender(mechanism: &Mechanism, wanted: &mut Wanted) {
     for body in &mechanism.bodies {
         let Some(beam) = body.beam() else { continue };
         let Some(ratio) = slenderness(mechanism, beam) else { continue };
-        if ratio < SLENDER && has_bending(beam) {
+        if ratio < SLENDER && has_bending(beam) && beam.slender.turning.is_none() {
             wanted.push(Lint::Slender, body.name.span, messages::thick_beam(&body.name.text, ratio, SLENDER));
         }
     }

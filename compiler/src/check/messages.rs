@@ -29,6 +29,23 @@ pub fn not_settled(name: &str, steps: usize, z: f64, rate: f64) -> String {
     )
 }
 
+/// Joints tie modes to one another.
+pub fn static_and_held(body: &str, mode: &str) -> String {
+    format!(
+        "`{body}` cannot start as its loads bend it: its joints do not let `{body}.{mode}` bend by itself, because they hold more than the \
+         `free` motion of its frame. Write shapes that keep what is held (`clamped`, `static` or `pinned`), or leave `{body} = static` out"
+    )
+}
+
+/// m or rad.
+pub fn no_static(body: &str, mode: &str, steps: usize, found: f64) -> String {
+    format!(
+        "no static deflection of `{body}` was found in {steps} steps of Newton's method: `{body}.{mode}` came to {}. Loads that it cannot bear, \
+         such as a thrust beyond Euler's load with `stiffening`, have none: make it stiffer, or leave `{body} = static` out",
+        number(found)
+    )
+}
+
 /// s.
 pub fn unstable_state(name: &str, time: f64) -> String {
     format!(

@@ -15,6 +15,7 @@ mod size;
 mod steady;
 mod warnings;
 
+pub use beams::deflections;
 pub use beams::{Strain, strains, unstiffened};
 pub use beyond::beyond_tables;
 pub use contacts::{Blow, contact_times, contacts};

@@ -63,6 +63,6 @@ pub fn damping<'g>(laws: &Laws<'g>, body: BodyId, beam: &Beam, mode: usize) -> S
         Way::Torsion => mass * laws.value(&beam.spin),
         Way::Axial | Way::Bending | Way::BendingZ => mass,
     };
-    let mass = beam.slender.second[mode + 1][mode + 1] * moved;
+    let mass = beam.slender.moved(mode) * moved;
     2.0 * (ratio * (stiffness(laws, beam, mode) * mass).sqrt())
 }

@@ -434,6 +434,14 @@ impl Equations {
         Equations { internal_starts, ..self }
     }
 
+    /// With another start of a coordinate that `start` states.
+    pub fn begin_at(&mut self, coordinate: &Coordinate, value: f64) {
+        let known = self.conditions.rows.iter().position(|known| known.coordinate == *coordinate);
+        if let Some(index) = known {
+            self.conditions.start[index].position = Some(self.graph.sheet().number(value).bare);
+        }
+    }
+
     /// What laws make of the motion, on the graph.
     pub fn built(&self, mechanism: &Mechanism, of: impl for<'g> Fn(&Laws<'g>) -> Scalar<'g>) -> Node {
         let (g, symbols) = (self.graph.sheet(), &self.symbols);

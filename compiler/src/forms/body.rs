@@ -166,9 +166,9 @@ impl BodyForm {
         }
         if self.is_beam() {
             names.extend(["density", "young", "area"].iter().chain(second_moments(space)));
-            names.push("damping_ratio");
+            names.extend(["damping_ratio", "shear_modulus", "shear_factor"]);
             if space == Space::Spatial {
-                names.extend(["shear_modulus", "torsion_constant"]);
+                names.push("torsion_constant");
             }
         }
         names

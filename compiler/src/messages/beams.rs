@@ -1,7 +1,7 @@
 //! Texts about beams.
 
 use super::{closest, number};
-use crate::beams::{Counts, Shapes, Way};
+use crate::beams::{Counts, Shapes, Theory, Way};
 use crate::forms::{SECTIONS, Space, second_moments};
 use crate::numbers::significant;
 
@@ -19,6 +19,7 @@ fn in_words(property: &str) -> &str {
         "young" => "Young's modulus",
         "shear_modulus" => "shear modulus",
         "torsion_constant" => "torsion constant",
+        "shear_factor" => "shear factor",
         property => property,
     }
 }
@@ -82,8 +83,62 @@ pub(crate) fn modes_out_of_range(kind: &str, count: i64, most: usize) -> String 
     )
 }
 
-pub(crate) fn beam_not_yet(property: &str, asked: &str, only: &str) -> String {
-    format!("`{property} = {asked}` is not there yet in this version: leave it out, which means `{only}`")
+pub(crate) fn unknown_theory(asked: &str) -> String {
+    format!(
+        "no theory of beams called \"{asked}\"; {}",
+        listed(Theory::ALL.into_iter().map(Theory::word), asked)
+    )
+}
+
+pub(crate) fn thick_and_static(beam: &str) -> String {
+    format!(
+        "`static` shapes are the deflections of beams that do not shear, and the beam `{beam}` has `theory = timoshenko`: write \
+         `shapes = clamped;`, which are held at the start too"
+    )
+}
+
+pub(crate) fn thick_not_known(beam: &str, property: &str) -> String {
+    format!(
+        "with `theory = timoshenko` the {} of the beam `{beam}` must be a number at expansion, because its shapes depend on it: write a `const`",
+        in_words(property)
+    )
+}
+
+pub(crate) fn nothing_to_shear(beam: &str, property: &str) -> String {
+    format!(
+        "the beam `{beam}` does not shear, which its {} would be for: write `theory = timoshenko;`, or leave `{property}` out",
+        in_words(property)
+    )
+}
+
+pub(crate) fn shear_factor_missing(beam: &str) -> String {
+    format!(
+        "the beam `{beam}` shears and has no section with a known shear factor: write `shear_factor = 0.83;`, that of its section (5/6 of a \
+         rectangle, 0.9 of a circle, 0.5 of a thin tube)"
+    )
+}
+
+pub(crate) fn shear_factor_out_of_range(beam: &str, value: f64) -> String {
+    format!(
+        "the shear factor of the beam `{beam}` must be above 0 and at most 1, found {}: it is the part of the section that carries shear",
+        number(value)
+    )
+}
+
+pub(crate) fn not_isotropic(beam: &str, ratio: f64) -> String {
+    format!(
+        "Young's modulus and the shear modulus of the beam `{beam}` are those of Poisson's ratio E/(2 G) - 1 = {}, and no isotropic \
+         material has less than -1 or more than 0.5: correct one of them, or write the `shear_factor` of this section",
+        significant(ratio, 3)
+    )
+}
+
+pub(crate) fn beyond_cut_off(beam: &str, word: &str, asked: usize, below: usize) -> String {
+    format!(
+        "the beam `{beam}` has {asked} {word} modes, of which only {below} are below the frequency √(κ G A/(ρ I)) at which its sections shear by \
+         themselves: write {}, or a thinner beam",
+        if below == 0 { "`body`".to_string() } else { format!("`{word} = {below}`") }
+    )
 }
 
 pub(crate) fn unknown_stiffening(asked: &str) -> String {
@@ -265,7 +320,7 @@ pub(crate) fn origin_of_beam(place: &str) -> String {
 pub(crate) fn thick_beam(beam: &str, ratio: f64, least: f64) -> String {
     format!(
         "the beam `{beam}` is {} radii of gyration √(I/A) long; below {} shear and the turning of its sections, which Euler and Bernoulli's beam \
-         leaves out, lower its frequencies. Write a longer or thinner one, `body` for what hardly bends, or `#[allow(slender)]` before it",
+         leaves out, lower its frequencies. Write `theory = timoshenko;`, `body` for what hardly bends, or `#[allow(slender)]` before it",
         significant(ratio, 3),
         number(least)
     )
@@ -330,4 +385,49 @@ pub(crate) fn frequency_missed(mode: &str, found: f64, above: bool, bound: f64) 
         if above { "less" } else { "more" },
         number(bound)
     )
+}
+
+pub(crate) fn no_place_of_beam(asked: &str) -> String {
+    format!(
+        "`{asked}` is on no beam, whose places are off its axis: write `deflection(arm.end) <= 3 [mm]` of a `beam arm`"
+    )
+}
+
+pub(crate) fn deflection_missed(
+    place: &str,
+    beam: &str,
+    found: f64,
+    above: bool,
+    bound: f64,
+    bent: bool,
+) -> String {
+    let (than, bound) = (if above { "less" } else { "more" }, number(bound));
+    let instead = if bent {
+        "change the section, the length or the material".to_string()
+    } else {
+        format!(
+            "write `start {{ {beam} = static; }}` for what its loads bend it by, or change its modes there"
+        )
+    };
+    format!(
+        "`{place}` is {} m off the axis of its frame at the start, {than} than the {bound} m expected: {instead}",
+        significant(found, 6)
+    )
+}
+
+pub(crate) fn static_of_nothing<'a>(asked: &str, bodies: impl Iterator<Item = &'a str>) -> String {
+    match closest(asked, bodies) {
+        Some(similar) => format!("no beam or flexible body called \"{asked}\"; did you mean \"{similar}\"?"),
+        None => format!(
+            "no beam or flexible body called \"{asked}\": only what deforms can start as its loads bend it"
+        ),
+    }
+}
+
+pub(crate) fn static_and_rigid(body: &str) -> String {
+    format!("`{body}` is rigid, and nothing bends it: leave `{body} = static` out, or declare it as a `beam`")
+}
+
+pub(crate) fn stated_and_static(quantity: &str, body: &str) -> String {
+    format!("`{quantity}` is stated, and `{body} = static` finds it: leave one of them out")
 }

@@ -1,13 +1,15 @@
 //! Beams: their modes, what follows from these and from their sections, and the places on their axis.
 
 mod section;
+mod thick;
 
 use super::fold;
 use super::lower::{Lowering, Use};
 use super::{
-    Body, BodyId, Coordinate, Deforms, Expr, Frame, Frequency, Function2, Joint, Place, Space, Vector,
+    Body, BodyId, Coordinate, Deflection, Deforms, Expr, Frame, Frequency, Function2, Joint, Place, Space,
+    Vector,
 };
-use crate::beams::{Shapes, Slender, Way};
+use crate::beams::{Shapes, Slender, Theory, Way};
 use crate::messages;
 use crate::syntax::{self, Path, Side};
 use crate::units::Dimension;
@@ -85,7 +87,10 @@ impl<'d> Lowering<'d> {
             self.diagnostics.error(modes.region, messages::quadratic_and_free(&body.name.text));
             return None;
         }
-        let slender = Slender::new(body.beam.shapes(), length, counts);
+        let slender = match body.beam.theory() {
+            Theory::EulerBernoulli => Slender::new(body.beam.shapes(), length, counts),
+            Theory::Timoshenko => self.thick(body, length, counts)?,
+        };
         Some(Arc::new(if body.beam.stiffens() { slender.stiffened() } else { slender }))
     }
 
@@ -152,16 +157,25 @@ impl<'d> Lowering<'d> {
         Some(Beam { slender: slender?, space, rigidities, spin, damping_ratio: damping_ratio? })
     }
 
-    /// G, of a beam that twists; nothing of others, which cannot have it.
+    /// G, of a beam that twists or shears; nothing of others, which cannot have it.
     fn shear_modulus(&mut self, body: &'d syntax::Body) -> Option<Expr> {
-        const OF_TORSION: [&str; 2] = ["shear_modulus", "torsion_constant"];
-        if body.beam.counts(self.definition.space).torsion > 0 {
-            return self.positive_of_beam(body, OF_TORSION[0], Dimension::PRESSURE, "GPa");
-        }
-        if let Some((label, _)) = OF_TORSION.iter().find_map(|property| body.property(property)) {
-            let message = messages::nothing_to_twist(&body.name.text, &label.text);
-            self.diagnostics.error(label.region, message);
+        let name = &body.name.text;
+        let twists = body.beam.counts(self.definition.space).torsion > 0;
+        let shears = body.beam.theory() == Theory::Timoshenko;
+        let idle = |property: &str, is_idle: bool| body.property(property).filter(|_| is_idle);
+        if let Some((label, _)) = idle("shear_factor", !shears) {
+            self.diagnostics.error(label.region, messages::nothing_to_shear(name, &label.text));
             return None;
+        }
+        let spatial = self.definition.space == Space::Spatial;
+        let idle = idle("torsion_constant", !twists).or(idle("shear_modulus", !twists && !shears));
+        if let Some((label, _)) = idle {
+            let message = if spatial { messages::nothing_to_twist } else { messages::nothing_to_shear };
+            self.diagnostics.error(label.region, message(name, &label.text));
+            return None;
+        }
+        if twists || shears {
+            return self.positive_of_beam(body, "shear_modulus", Dimension::PRESSURE, "GPa");
         }
         Some(Expr::Number(0.0))
     }
@@ -237,6 +251,28 @@ impl<'d> Lowering<'d> {
             bound: hertz,
             span: path.region.to(bound.region),
         })
+    }
+
+    /// `deflection(arm.end) <= 3 [mm]`
+    pub(super) fn deflection(
+        &mut self,
+        path: &'d Path,
+        side: Side,
+        bound: &syntax::Term,
+    ) -> Option<Deflection> {
+        let place = self.place(&syntax::PlaceTerm::Named(path.clone()))?;
+        let (Frame::Body(body), Expr::Number(x)) = (place.frame, &place.at[0]) else {
+            self.diagnostics.error(path.region, messages::no_place_of_beam(&path.text));
+            return None;
+        };
+        if !self.definition.bodies[body.0].form.is_beam() {
+            self.diagnostics.error(path.region, messages::no_place_of_beam(&path.text));
+            return None;
+        }
+        self.of_axis(&place)?;
+        let length = self.number(&syntax::Entry::bare(bound.clone()), Dimension::LENGTH, "deflection")?;
+        let (text, span) = (path.text.clone(), path.region.to(bound.region));
+        Some(Deflection { body, x: *x, text, side, bound: length, span })
     }
 
     /// Whether a place there moves as a beam deforms.

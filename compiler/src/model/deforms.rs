@@ -2,6 +2,7 @@
 
 use super::beams::Beam;
 use super::lower::{Lowering, Use};
+use super::names::Part;
 use super::{
     Axes, Body, BodyId, Coordinate, Expr, Frame, Inertia, Mechanism, Place, StartCondition, Vector, fold,
     value_at,
@@ -214,6 +215,43 @@ impl<'d> Lowering<'d> {
     }
 
     /// Modes are at rest at zero at the start unless that is said: assembly does not bend a body to close a loop.
+    /// The bodies of `start { coupler = static; }`.
+    pub(super) fn deflected(&mut self) -> Vec<(BodyId, Region)> {
+        let definition = self.definition;
+        let mut found: Vec<(BodyId, Region)> = Vec::new();
+        for path in &definition.deflected {
+            let Some(Part::Body(index)) = self.names.part(&path.text) else {
+                let bends = definition.bodies.iter().filter(|body| body.form.bends());
+                let message =
+                    messages::static_of_nothing(&path.text, bends.map(|body| body.name.text.as_str()));
+                self.diagnostics.error(path.region, message);
+                continue;
+            };
+            if !definition.bodies[index].form.bends() {
+                self.diagnostics.error(path.region, messages::static_and_rigid(&path.text));
+                continue;
+            }
+            let stated = definition.start.iter().find(|start| {
+                let parts = &start.quantity.parts;
+                parts.len() == 2 && parts[0].text == path.text && parts[1].text.contains('[')
+            });
+            if let Some(stated) = stated {
+                let message = messages::stated_and_static(&stated.quantity.text, &path.text);
+                let note = messages::first_here(&path.text);
+                self.diagnostics.conflict(stated.quantity.region, message, path.region, note);
+                continue;
+            }
+            match found.iter().find(|(known, _)| known.0 == index) {
+                Some((_, first)) => {
+                    let message = messages::property_twice(&path.text, "start");
+                    self.diagnostics.conflict(path.region, message, *first, messages::first_here(&path.text));
+                }
+                None => found.push((BodyId(index), path.region)),
+            }
+        }
+        found
+    }
+
     pub(super) fn modes_at_rest(mechanism: &mut Mechanism) {
         let mut rest = Vec::new();
         for (index, body) in mechanism.bodies.iter().enumerate() {

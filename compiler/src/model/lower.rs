@@ -81,6 +81,7 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
         surfaces: lowering.contacts.named(),
         start: lowering.each(&definition.start, Lowering::start_condition),
         steady: lowering.steady(),
+        deflected: lowering.deflected(),
         orientations: lowering.each(&definition.orientations, Lowering::start_orientation),
         options: lowering.options(),
         expect: lowering.expect(),

@@ -140,6 +140,8 @@ pub struct Mechanism {
     pub start: Vec<StartCondition>,
     /// The internal states that begin where they rest, and where that is said.
     pub steady: Vec<(usize, Region)>,
+    /// The bodies that start bent as they are loaded, and where that is said.
+    pub deflected: Vec<(BodyId, Region)>,
     pub orientations: Vec<StartOrientation>,
     pub options: Options,
     pub expect: Expect,
@@ -523,6 +525,21 @@ pub struct Expect {
     pub motion: MotionExpected,
     pub contact_times: Vec<ContactTime>,
     pub frequencies: Vec<Frequency>,
+    pub deflections: Vec<Deflection>,
+}
+
+/// `deflection(arm.end) <= 3 [mm];`
+#[derive(Clone, Debug)]
+pub struct Deflection {
+    /// A beam, and where on its axis.
+    pub body: BodyId,
+    pub x: f64,
+    /// As written.
+    pub text: String,
+    pub side: Side,
+    /// m.
+    pub bound: f64,
+    pub span: Region,
 }
 
 /// `frequency(coupler.bending[0]) >= 200 [Hz];`

@@ -165,6 +165,9 @@ impl<'d> Lowering<'d> {
                 ExpectEntry::Frequency(path, side, bound) => {
                     expect.frequencies.extend(self.frequency(path, *side, bound));
                 }
+                ExpectEntry::Deflection(place, side, bound) => {
+                    expect.deflections.extend(self.deflection(place, *side, bound));
+                }
             }
         }
         self.expectations_twice();

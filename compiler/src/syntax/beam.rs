@@ -1,10 +1,10 @@
 //! What a beam has in its braces beside values: `section = circle(diameter [mm] = 7); modes = (axial = 2, bending = 5); shapes = free;`,
 //! in space `modes = (bending_y = 2, bending_z = 2, torsion = 1);`.
 
-use super::definition::{Body, ExpectEntry, ModesTerm, SectionTerm, Side};
+use super::definition::{Body, ExpectEntry, ModesTerm, Path, SectionTerm, Side};
 use super::parser::{Failed, Parsed, Parser};
 use super::token::Cursor;
-use crate::beams::{Counts, MOST_MODES, Shapes, Way};
+use crate::beams::{Counts, MOST_MODES, Shapes, Theory, Way};
 use crate::diagnostics::Region;
 use crate::forms::{SECTIONS, Space};
 use crate::messages;
@@ -24,7 +24,7 @@ impl Parser<'_> {
             "modes" => beam.modes.as_ref().map(|modes| modes.region),
             "shapes" => beam.shapes.as_ref().map(|(label, _)| label.region),
             "stiffening" => beam.stiffening.as_ref().map(|(label, _)| label.region),
-            _ => None,
+            _ => beam.theory.as_ref().map(|(label, _)| label.region),
         };
         if let Some(first) = first {
             let message = messages::property_twice(&label.text, &name);
@@ -50,39 +50,46 @@ impl Parser<'_> {
                 };
                 beam.stiffening = Some((word, stiffens));
             }
-            _ => self.theory(c)?,
+            _ => {
+                let word = self.word(c, "`euler_bernoulli` or `timoshenko`")?;
+                match Theory::ALL.into_iter().find(|theory| theory.word() == word.text) {
+                    Some(theory) => beam.theory = Some((word, theory)),
+                    None => return self.fail(word.region, messages::unknown_theory(&word.text)),
+                }
+            }
         }
         self.semicolon(c)
     }
 
     /// `(coupler.bending[0]) >= 200 [Hz]` after the word `frequency`.
     pub(super) fn frequency(&mut self, c: &mut Cursor) -> Parsed<ExpectEntry> {
+        const SUCH: &str =
+            "`>=` or `<=` and a frequency, such as `frequency(coupler.bending[0]) >= 200 [Hz]`";
+        let (mode, side) = self.on_one_side(c, "a mode, such as `coupler.bending[0]`", SUCH)?;
+        Ok(ExpectEntry::Frequency(mode, side, self.expression(c)?))
+    }
+
+    /// `(arm.end) <= 3 [mm]` after the word `deflection`.
+    pub(super) fn deflection(&mut self, c: &mut Cursor) -> Parsed<ExpectEntry> {
+        const SUCH: &str = "`>=` or `<=` and a length, such as `deflection(arm.end) <= 3 [mm]`";
+        let (place, side) = self.on_one_side(c, "a point of a beam, such as `arm.end`", SUCH)?;
+        Ok(ExpectEntry::Deflection(place, side, self.expression(c)?))
+    }
+
+    fn on_one_side(&mut self, c: &mut Cursor, what: &str, such: &str) -> Parsed<(Path, Side)> {
         let mut inside = self.group(c, Delimiter::Parenthesis)?;
-        let mode = self.path(&mut inside, "a mode, such as `coupler.bending[0]`")?;
+        let path = self.path(&mut inside, what)?;
         self.end(&inside, "`)`")?;
         let side = if c.at_puncts('>', '=') {
             Side::Above
         } else if c.at_puncts('<', '=') {
             Side::Below
         } else {
-            return self.expected(
-                c,
-                "`>=` or `<=` and a frequency, such as `frequency(coupler.bending[0]) >= 200 [Hz]`",
-            );
+            return self.expected(c, such);
         };
         c.advance();
         c.advance();
-        Ok(ExpectEntry::Frequency(mode, side, self.expression(c)?))
-    }
-
-    /// Has one value so far.
-    fn theory(&mut self, c: &mut Cursor) -> Parsed<()> {
-        const ONLY: &str = "euler_bernoulli";
-        let word = self.word(c, &messages::quoted_code(ONLY))?;
-        if word.text == ONLY {
-            return Ok(());
-        }
-        self.fail(word.region, messages::beam_not_yet("theory", &word.text, ONLY))
+        Ok((path, side))
     }
 
     fn section(&mut self, c: &mut Cursor, space: Space) -> Parsed<SectionTerm> {

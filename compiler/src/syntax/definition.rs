@@ -7,7 +7,7 @@ mod parts;
 mod tables;
 mod terms;
 
-use crate::beams::{Counts, Shapes};
+use crate::beams::{Counts, Shapes, Theory};
 use crate::diagnostics::{Allowed, Region};
 use crate::forms::BodyForm;
 pub use crate::forms::Space;
@@ -65,6 +65,8 @@ pub struct Definition {
     pub start: Vec<StartEntry>,
     /// The internal states that begin where they rest.
     pub steady: Vec<Path>,
+    /// Bodies that start bent as they are loaded.
+    pub deflected: Vec<Path>,
     /// Orientations that `start` states.
     pub orientations: Vec<OrientationEntry>,
     pub options: Vec<OptionEntry>,
@@ -140,6 +142,7 @@ pub struct BeamTerm {
     pub shapes: Option<(Label, Shapes)>,
     /// Whether bending draws its places in.
     pub stiffening: Option<(Label, bool)>,
+    pub theory: Option<(Label, Theory)>,
 }
 
 impl BeamTerm {
@@ -152,6 +155,10 @@ impl BeamTerm {
 
     pub fn shapes(&self) -> Shapes {
         self.shapes.as_ref().map_or(Shapes::Free, |(_, shapes)| *shapes)
+    }
+
+    pub fn theory(&self) -> Theory {
+        self.theory.as_ref().map_or(Theory::EulerBernoulli, |(_, theory)| *theory)
     }
 
     pub fn stiffens(&self) -> bool {
@@ -410,6 +417,8 @@ pub enum ExpectEntry {
     ContactTime(Path, Term),
     /// A mode of a beam whose frequency by itself is on one side of a bound.
     Frequency(Path, Side, Term),
+    /// A place of a beam that is on one side of a bound off the axis of its frame.
+    Deflection(Path, Side, Term),
 }
 
 /// Of a bound.

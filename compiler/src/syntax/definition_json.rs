@@ -2,7 +2,7 @@
 //! exporters rebuild the mechanism from it without this compiler.
 
 use super::definition::*;
-use crate::beams::Way;
+use crate::beams::{Theory, Way};
 use crate::forms::{Argument, Interpolation, Outside, Value};
 use crate::modal::Reduced;
 
@@ -74,6 +74,9 @@ pub fn definition_json(definition: &Definition) -> String {
         });
         if !definition.steady.is_empty() {
             w.key("steady").array(&definition.steady, |w, state| w.string(&state.text));
+        }
+        if !definition.deflected.is_empty() {
+            w.key("static").array(&definition.deflected, |w, body| w.string(&body.text));
         }
         if definition.space == Space::Spatial {
             w.key("orientations").list(&definition.orientations, |w, start| {
@@ -355,6 +358,9 @@ impl Writer {
         self.key("shapes").string(beam.shapes().word());
         if beam.stiffens() {
             self.key("stiffening").raw("true");
+        }
+        if beam.theory() == Theory::Timoshenko {
+            self.key("theory").string(beam.theory().word());
         }
     }
 

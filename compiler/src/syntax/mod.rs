@@ -186,6 +186,7 @@ fn empty() -> Definition {
         contacts: Vec::new(),
         start: Vec::new(),
         steady: Vec::new(),
+        deflected: Vec::new(),
         orientations: Vec::new(),
         options: Vec::new(),
         expect: Vec::new(),

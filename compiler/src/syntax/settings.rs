@@ -11,7 +11,7 @@ use crate::messages;
 use proc_macro2::{Delimiter, TokenStream};
 
 impl Parser<'_> {
-    /// `{ quantity [unit] = value; quantity [unit] ~ guess; steady = (state, …); }`
+    /// `{ quantity [unit] = value; quantity [unit] ~ guess; steady = (state, …); coupler = static; }`
     pub fn start(&mut self, c: &mut Cursor) -> Parsed<()> {
         self.block(c, |parser, c| {
             if c.at_word("repeat") {
@@ -32,6 +32,10 @@ impl Parser<'_> {
                 (false, true) => false,
                 _ => return parser.expected(c, "`=` (a condition) or `~` (a guess)"),
             };
+            if exact && unit.is_none() && c.eat_word("static") {
+                parser.definition.deflected.push(quantity);
+                return parser.semicolon(c);
+            }
             if quantity.parts.last().is_some_and(|last| last.text == "orientation") {
                 let value = parser.tuple(c, unit, 4, "a quaternion `(w, x, y, z)`")?;
                 parser.semicolon(c)?;
@@ -153,7 +157,7 @@ impl Parser<'_> {
     /// `{ degrees_of_freedom = 1; operations <= 400; live_values(mass_matrix) <= 40; rotates = crank_pin; no_singularity;
     /// knee.angle in 10..170 [deg]; }`
     pub fn expect(&mut self, c: &mut Cursor) -> Parsed<()> {
-        const KNOWN: [&str; 7] = [
+        const KNOWN: [&str; 8] = [
             "degrees_of_freedom",
             "operations",
             "live_values",
@@ -161,6 +165,7 @@ impl Parser<'_> {
             "no_singularity",
             "contact_time",
             "frequency",
+            "deflection",
         ];
         self.block(c, |parser, c| {
             if is_dotted(c) {
@@ -169,7 +174,7 @@ impl Parser<'_> {
                 parser.definition.expect.push(entry);
                 return Ok(());
             }
-            let known = "`degrees_of_freedom`, `operations`, `live_values`, `rotates`, `no_singularity`, `contact_time` or `frequency`";
+            let known = "`degrees_of_freedom`, `operations`, `live_values`, `rotates`, `no_singularity`, `contact_time`, `frequency` or `deflection`";
             let fact = parser.word(c, known)?;
             if let Some(of) = Budgeted::ALL.into_iter().find(|of| of.word() == fact.text) {
                 let budget = parser.budget(c, of, fact.region)?;
@@ -190,6 +195,7 @@ impl Parser<'_> {
                 }
                 "contact_time" => parser.contact_time(c)?,
                 "frequency" => parser.frequency(c)?,
+                "deflection" => parser.deflection(c)?,
                 word => return parser.fail(fact.region, messages::unknown_expectation(word, &KNOWN)),
             };
             parser.semicolon(c)?;

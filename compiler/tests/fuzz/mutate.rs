@@ -109,7 +109,7 @@ fn foreign_statement(random: &mut Random, tokens: &mut Vec<String>, other: &[Str
 
 /// A statement that fits the names of the definition: `J` is a joint, `B` a body, `P` a place, `Q` a quantity, `L` a
 /// load, `X` a value, `#` a number.
-const TEMPLATES: [&str; 45] = [
+const TEMPLATES: [&str; 48] = [
     "joint new : revolute ( P , P ) ;",
     "joint new : revolute ( P , P , axis = ( # , # , # ) ) ;",
     "joint new : fixed ( P , P ) ;",
@@ -155,6 +155,9 @@ const TEMPLATES: [&str; 45] = [
     "modes = ( axial = # , bending = # ) ;",
     "modes = ( bending_y = # , torsion = # ) ; shear_modulus [ GPa ] = # ;",
     "shapes = clamped ;",
+    "theory = timoshenko ; shear_modulus [ GPa ] = # ;",
+    "start { B = static ; }",
+    "expect { deflection ( P ) <= # [ mm ] ; }",
 ];
 
 fn new_statement(random: &mut Random, tokens: &mut Vec<String>, _: &[String]) {

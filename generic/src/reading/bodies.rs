@@ -168,6 +168,17 @@ impl<'t> Reader<'t> {
             stiffens: is("stiffening"),
             quadratic: is("quadratic"),
             damping_ratio: shape.scalars.get("damping_ratio").copied().unwrap_or(0.0),
+            thick: match optional(written, "theory") {
+                Some(_) => {
+                    let shear = shape.scalar("shear_modulus")?;
+                    let factor = match shape.scalars.get("shear_factor") {
+                        Some(factor) => *factor,
+                        None => self.shear_factor(written, young / (2.0 * shear) - 1.0, own)?,
+                    };
+                    Some(([about_z / area, about_y / area], young / (factor * shear)))
+                }
+                None => None,
+            },
         };
         let beam = Beam::new(&made).ok_or_else(|| DefinitionError::kind(own, made.shapes))?;
         let at = |share: f64| [beam.start + share * length, 0.0, 0.0];
@@ -188,6 +199,19 @@ impl<'t> Reader<'t> {
             markers: HashMap::new(),
             beam: Some(Arc::new(beam)),
         })
+    }
+
+    /// κ of a section, G. R. Cowper, *The Shear Coefficient in Timoshenko's Beam Theory*, table 1.
+    fn shear_factor(&self, written: &'t Value, nu: f64, own: &str) -> Read<f64> {
+        let section = field(written, "section", own)?;
+        let of = |key: &str| self.entry(field(section, key, own)?, own);
+        let m = match text(section, "kind", own)? {
+            "rectangle" => return Ok(10.0 * (1.0 + nu) / (12.0 + 11.0 * nu)),
+            "tube" => of("inner")? / of("outer")?,
+            _ => 0.0,
+        };
+        let square = (1.0 + m * m).powi(2);
+        Ok(6.0 * (1.0 + nu) * square / ((7.0 + 6.0 * nu) * square + (20.0 + 12.0 * nu) * m * m))
     }
 
     /// B I Bᵀ where the tensor is given in the axes of a marker.

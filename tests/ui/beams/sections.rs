@@ -13,7 +13,7 @@ linkwright::mechanism! {
         beam i { shapes = ritz; }
         beam j { shapes = clampd; }
         beam k { stiffening = yes; }
-        beam l { theory = timoshenko; }
+        beam l { theory = timoshenco; }
         beam m { shapes = free; shapes = clamped; }
         beam o { toothing rim: external(teeth = 20, module [mm] = 2); }
         beam n { line edge = (n.start, n.end); }

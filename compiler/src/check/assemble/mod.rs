@@ -29,6 +29,7 @@ mod refusals;
 mod residuals;
 mod scales;
 mod search;
+mod statics;
 mod teeth;
 mod world;
 
@@ -39,6 +40,7 @@ pub use mobility::{full_squares, rank};
 pub use partition::partition;
 pub use point::{Ancestry, Point, live, retract};
 pub use scales::row_scales;
+pub use statics::deflected;
 
 use super::messages;
 use crate::diagnostics::Diagnostics;

@@ -9,6 +9,7 @@
 
 mod means;
 mod stiffening;
+mod turning;
 
 use super::inertia::{Factor, Massive, Sums};
 use super::kinematics::{FrameId, Kinematics, LocalVector};
@@ -22,6 +23,8 @@ use crate::symbolic::{Node, On, Scalar, Sheet};
 use means::Integrals;
 use std::collections::BTreeMap;
 use std::sync::Arc;
+use turning::Turn;
+pub(super) use turning::twice_turning_of_slices;
 
 /// The modes of a body and how they move.
 #[derive(Clone, Debug)]
@@ -194,10 +197,12 @@ pub(super) fn accumulate<'g>(
         let (mass, frame, flexible) = (beam.body.mass, beam.frame, beam.flexible);
         let position = beam.position();
         let mut columns: Vec<(usize, Field)> = Vec::new();
+        let mut turns: Vec<Turn> = Vec::new();
         let mut accelerations: Vec<(Factor, Field)> = Vec::new();
         for (mode, modal) in flexible.modes.iter().enumerate() {
             if let ModalMotion::Free(velocity) = modal.motion {
                 columns.push((velocity, beam.column(mode)));
+                turns.push(Turn::Mode(mode));
                 if beam.omega(kinematics).is_some() {
                     accelerations.push((Factor::Coriolis(velocity), beam.column(mode).perpendicular(g)));
                 }
@@ -208,6 +213,7 @@ pub(super) fn accumulate<'g>(
         }
         if let Some((rate, _)) = beam.omega(kinematics) {
             columns.push((rate, position.perpendicular(g)));
+            turns.push(Turn::Frame);
             accelerations.push((Factor::Centripetal, position.map(|w| (-g.on(w)).bare)));
         }
         // With the origin of the frame, whose own columns may be of the same velocities.
@@ -233,8 +239,9 @@ pub(super) fn accumulate<'g>(
         }
         // Among themselves.
         for (at, (velocity, field)) in columns.iter().enumerate() {
-            for (other, far) in &columns[..=at] {
+            for (which, (other, far)) in columns[..=at].iter().enumerate() {
                 let [dot, _] = beam.means.products(field, far);
+                let dot = beam.with_turning(dot, turns[at], turns[which]);
                 sums.mass_of(*velocity, *other, frame, mass * dot);
             }
             for (factor, far) in &accelerations {
@@ -264,7 +271,8 @@ pub(super) fn kinetic_energy<'g>(laws: &Laws<'g>, bodies: &[Massive<'g>]) -> Sca
         let mean = kinematics.to_world(beam.frame, beam.means.mean(&velocity));
         let along = mean.dot([x.rate().bare, y.rate().bare]);
         let [square, _] = beam.means.products(&velocity, &velocity);
-        twice += beam.body.mass * (2.0 * along + square);
+        let turning = beam.twice_turning(beam.omega(kinematics).map(|(_, omega)| omega));
+        twice += beam.body.mass * (2.0 * along + square + turning);
     }
     0.5 * twice
 }
@@ -341,8 +349,9 @@ pub(super) fn inertia_beyond_origin<'g>(
     let force = mass * kinematics.to_world(beam.frame, beam.means.mean(&local));
     let arm = kinematics.to_world(beam.frame, beam.means.mean(&position));
     let [_, moment] = beam.means.products(&position, &local);
+    let turning = beam.turning_moment(accelerations, beam.omega(kinematics).map(|(rate, _)| rate));
     let [x, y] = force.parts();
-    Some([x, y, mass * (moment + arm.cross(acceleration))])
+    Some([x, y, mass * (moment + turning + arm.cross(acceleration))])
 }
 
 impl<'g> On<'g, &'g Kinematics> {

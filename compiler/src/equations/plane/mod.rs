@@ -79,6 +79,9 @@ pub fn kinetic_energy_of_slices<'g>(laws: &Laws<'g>, rule: &crate::beams::Rule) 
             let [x, y] = kinematics.world(&place.bare);
             sum += weight * (body.mass * (x.rate().square() + y.rate().square()));
         }
+        let rate = kinematics.bare.frames[kinematics.bare.bodies[index].frame].rate;
+        let omega = rate.map(|rate| g.on(kinematics.bare.velocities[rate]));
+        sum += body.mass * flexible::twice_turning_of_slices(flexible, rule, omega, g);
         body.mass = g.zero();
     }
     0.5 * sum + kinetic_energy(laws, &rigid)

@@ -75,7 +75,7 @@ pub fn kinetic_energy_of_slices<'g>(laws: &Laws<'g>, rule: &crate::beams::Rule) 
             continue;
         }
         for slice in flexible.shapes.slices(rule) {
-            sum += 0.5 * slice.share * beam.twice_about_axis(omega, &slice.rows);
+            sum += 0.5 * slice.share * beam.twice_turning_of_section(omega, &slice.rows);
         }
     }
     sum

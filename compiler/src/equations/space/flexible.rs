@@ -12,7 +12,8 @@
 //! What turns has T = ½ ω·J ω + ω·Σ B_j ṗ_j + ½ ṗ·D ṗ beyond that, with constants in the axes of the body: it gives the body the moment
 //! Σ B_j p̈_j + ω × Σ B_j ṗ_j beside that of J, and the mode B_j·α + Σ D_jk p̈_k. Sections of a beam turn about e₁ by Σ N_t ṗ_t more than its frame, with
 //! the moment of inertia about the axis of each, to which the turns of bending add nothing (no rotary inertia): with J = ∫ j dx and the means ν_j of N_j
-//! and ν_jk of N_j N_k these are J e₁ e₁ᵀ, J ν_j e₁ and J ν_jk.
+//! and ν_jk of N_j N_k these are J e₁ e₁ᵀ, J ν_j e₁ and J ν_jk. Sections that shear turn about all axes, by ψ in bending, with their own moments of
+//! inertia: the same sums over three axes (`beams::Turning`).
 //!
 //! A section is turned by φ, of a beam (Σ N_t p_t, −Σ N′ p_z, Σ N′ p_y), which the theory knows to first order. What is carried has to be turned by a
 //! rotation, of which here Cayley's has this first order, without trigonometry: with c = φ/2
@@ -351,13 +352,16 @@ impl<'g> Spread<'g> {
         sum
     }
 
-    /// Twice the energy with which a section of a beam turns about its axis, were it as heavy as the whole: the link turns by ω, and modes in torsion
-    /// turn the section by these rows.
-    pub fn twice_about_axis(&self, omega: On<'g, Vec3>, rows: &Rows) -> Scalar<'g> {
-        let along = self.axes.column(0).dot(omega);
-        let twisting = self.shares.iter().filter(|share| share.column.is_empty());
-        let rate = twisting.fold(along, |sum, share| sum + rows.turns[share.mode][0] * share.rate);
-        self.turning * rate.square()
+    /// Twice the energy with which a section of a beam turns, about its axis or with shear about all, were it as heavy as the whole: the link turns
+    /// by ω, and modes turn the section by these rows.
+    pub fn twice_turning_of_section(&self, omega: On<'g, Vec3>, rows: &Rows) -> Scalar<'g> {
+        let about = |axis: usize| {
+            let along = self.axes.column(axis).dot(omega);
+            let rate =
+                self.shares.iter().fold(along, |sum, share| sum + rows.turns[share.mode][axis] * share.rate);
+            self.rotary.inertia[axis][axis] * rate.square()
+        };
+        self.turning * self.mass.g.sum([0, 1, 2].map(about))
     }
 
     /// Twice the energy of what turns by itself, with the rates of the link and of the modes.
@@ -396,14 +400,27 @@ impl<'g> Spread<'g> {
     /// Moment about the origin of the link and force of a mode that is accelerated by one.
     pub fn column(&self, share: &Share<'g>) -> [On<'g, Vec3>; 2] {
         let (moment, force) = (self.cross(&self.position, &share.column), self.h(0, &share.column));
-        let own = self.mass * moment;
-        let moment = self.momentum(share).fold(own, |sum, (part, axis)| sum + (self.turning * part) * axis);
+        let turning = self.momentum(share);
+        let moment = match self.turns_with_mass() {
+            true => self.mass * turning.fold(moment, |sum, (part, axis)| sum + part * axis),
+            false => turning.fold(self.mass * moment, |sum, (part, axis)| sum + (self.turning * part) * axis),
+        };
         [moment, self.mass * force]
+    }
+
+    /// Whether what turns has the factor of what moves, so that one may take the other away: modes of free beams carry no moment of momentum.
+    fn turns_with_mass(&self) -> bool {
+        self.turning.bare == self.mass.bare
     }
 
     /// M of two modes.
     pub fn mass_of(&self, one: &Share<'g>, other: &Share<'g>) -> Scalar<'g> {
-        self.mass * self.dot(&one.column, &other.column) + self.turning * self.both_turn(one, other)
+        let (dot, turning) = (self.dot(&one.column, &other.column), self.both_turn(one, other));
+        if self.turns_with_mass() {
+            self.mass * (dot + turning)
+        } else {
+            self.mass * dot + self.turning * turning
+        }
     }
 
     /// What moves within the link: 2 ω × ẇ + ẅ at every point, in two parts.
@@ -489,9 +506,10 @@ impl<'g> Spread<'g> {
     }
 }
 
-/// What the rotary constants of a body are multiplied with: of a beam its moment of inertia about its axis.
+/// What the rotary constants of a body are multiplied with: of a beam its moment of inertia about its axis, or where sections shear its mass.
 pub fn turning_factor<'g>(laws: &Laws<'g>, mass: Scalar<'g>, deforms: &Deforms) -> Scalar<'g> {
     match deforms {
+        Deforms::Beam(beam) if beam.slender.turning.is_some() => mass,
         Deforms::Beam(beam) => mass * laws.value(&beam.spin),
         Deforms::Modal(_) => laws.g.one(),
     }

@@ -138,23 +138,11 @@ impl Shapes {
         }
     }
 
-    /// What turns beyond places that move: of a beam about its axis by its square of the radius of gyration times the mass, of a finite element
-    /// model by itself.
+    /// What turns beyond places that move: of a beam about its axis by its square of the radius of gyration times the mass, with shear about all
+    /// axes by the mass, of a finite element model by itself.
     pub fn rotary(&self) -> Rotary {
         match self {
-            Self::Beam(slender) => {
-                let twists = |mode: usize| slender.modes[mode].way == Way::Torsion;
-                let own = |mode: usize| if twists(mode) { slender.first[1 + mode] } else { 0.0 };
-                let both = |j: usize, k: usize| {
-                    if twists(j) && twists(k) { slender.second[1 + j][1 + k] } else { 0.0 }
-                };
-                let modes = 0..slender.modes.len();
-                Rotary {
-                    inertia: [[1.0, 0.0, 0.0], [0.0; 3], [0.0; 3]],
-                    momentum: modes.clone().map(|mode| [own(mode), 0.0, 0.0]).collect(),
-                    modal: modes.clone().map(|j| modes.clone().map(|k| both(j, k)).collect()).collect(),
-                }
-            }
+            Self::Beam(slender) => rotary_of_beam(slender),
             Self::Modal(reduced) => reduced.rotary(),
         }
     }
@@ -179,6 +167,36 @@ impl Shapes {
                 points.map(|it| Slice { share: it.share, at: it.at, rows: rows(it.shifts) }).collect()
             }
         }
+    }
+}
+
+/// About x by what twists; with shear about y and z by ψ of what bends along z and along y.
+fn rotary_of_beam(slender: &Slender) -> Rotary {
+    let turning = slender.turning.as_ref();
+    let spin = turning.map_or(1.0, |turning| turning.about_y + turning.about_z);
+    let own = |mode: usize| {
+        let bent = turning.map_or(0.0, |turning| turning.first[mode]);
+        match slender.modes[mode].way {
+            Way::Axial => [0.0; 3],
+            Way::Torsion => [spin * slender.first[1 + mode], 0.0, 0.0],
+            Way::Bending => [0.0, 0.0, bent],
+            Way::BendingZ => [0.0, -bent, 0.0],
+        }
+    };
+    let twists = |mode: usize| slender.modes[mode].way == Way::Torsion;
+    let both = |j: usize, k: usize| {
+        if twists(j) && twists(k) {
+            spin * slender.second[1 + j][1 + k]
+        } else {
+            turning.map_or(0.0, |turning| turning.second[j][k])
+        }
+    };
+    let modes = 0..slender.modes.len();
+    let [about_y, about_z] = turning.map_or([0.0; 2], |turning| [turning.about_y, turning.about_z]);
+    Rotary {
+        inertia: [[spin, 0.0, 0.0], [0.0, about_y, 0.0], [0.0, 0.0, about_z]],
+        momentum: modes.clone().map(own).collect(),
+        modal: modes.clone().map(|j| modes.clone().map(|k| both(j, k)).collect()).collect(),
     }
 }
 
