@@ -9,6 +9,7 @@ pub mod registry;
 pub mod zoo;
 pub mod zoo_beams;
 pub mod zoo_beams_in_space;
+pub mod zoo_beams_thick;
 pub mod zoo_bristles;
 pub mod zoo_cables;
 pub mod zoo_contacts;
