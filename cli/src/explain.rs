@@ -5,7 +5,7 @@ use crate::motion;
 use crate::start;
 use linkwright_compiler::beams::RK4;
 use linkwright_compiler::check::motion::Reflected;
-use linkwright_compiler::check::{self, Strain};
+use linkwright_compiler::check::{self, Strain, Vibration};
 use linkwright_compiler::counts::Row;
 use linkwright_compiler::equations::conditions;
 use linkwright_compiler::model::gears::{self, Gives, Told};
@@ -66,6 +66,8 @@ pub struct Joint {
     pub places: [String; 2],
     /// The body that hangs on it in the spanning tree.
     pub carries: Option<String>,
+    /// Whether a penalty acts in place of its rows.
+    pub yields: bool,
 }
 
 /// All that `explain` tells.
@@ -97,6 +99,8 @@ pub struct Explanation {
     pub loads: Vec<[String; 2]>,
     /// Name, and how long a touch takes with which mass.
     pub contacts: Vec<[String; 2]>,
+    /// How joints that yield vibrate.
+    pub vibration: Option<Vibration>,
     /// Name, and knots with what stands between them.
     pub tables: Vec<[String; 2]>,
     /// Name and what it is a copy of.
@@ -202,6 +206,7 @@ pub fn explain(definition: &Definition, compiled: &Compiled) -> Explanation {
         meshes: meshes(mechanism),
         loads: loads(mechanism),
         contacts: contacts(compiled),
+        vibration: compiled.vibration,
         tables: mechanism.tables.iter().map(table).collect(),
         parts: mechanism.parts.iter().map(|part| [part.name.text.clone(), part.of.clone()]).collect(),
         degrees_of_freedom: assembly.mobility.generic,
@@ -256,6 +261,7 @@ fn joints(compiled: &Compiled) -> Vec<Joint> {
         kind: joint.word(),
         places: [joint.first.text.clone(), joint.second.text.clone()],
         carries: carries(index),
+        yields: !joint.holds(),
     };
     mechanism.joints.iter().enumerate().map(joint).collect()
 }

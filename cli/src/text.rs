@@ -46,6 +46,9 @@ pub fn explanation(e: &Explanation, place: &str) -> String {
     let meshes = e.meshes.iter().map(mesh).collect();
     table(&mut text, "Stiffness by the shape of teeth, N/m over a pitch", meshes);
     table(&mut text, "Loads", e.loads.iter().map(|one| one.to_vec()).collect());
+    if let Some(vibration) = &e.vibration {
+        let _ = writeln!(text, "\nJoints that yield\n  {vibration}");
+    }
     table(&mut text, "Contacts", e.contacts.iter().map(|one| one.to_vec()).collect());
     table(&mut text, "Tables", e.tables.iter().map(|one| one.to_vec()).collect());
     freedoms(&mut text, e);
@@ -88,6 +91,7 @@ fn beam(of: &Beam) -> Vec<String> {
 fn joint(e: &Explanation, joint: &Joint) -> Vec<String> {
     let part = match &joint.carries {
         Some(body) => format!("carries {body}"),
+        None if joint.yields => "yields".to_string(),
         None if e.coordinates == "tree" => "closes a loop".to_string(),
         None => String::new(),
     };

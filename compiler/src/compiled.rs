@@ -1,9 +1,9 @@
 //! A mechanism after all stages but the last: what the self-check, budgets, pages and back ends start from.
 
-use crate::check::Blow;
 use crate::check::assemble::loose::{self, Loose};
 use crate::check::assemble::{Assembly, Point};
 use crate::check::motion::{self, Linkage, Motion, Reflected, Unswept};
+use crate::check::{Blow, Vibration};
 use crate::choice::Choice;
 use crate::complete::Complete;
 use crate::diagnostics::Diagnostics;
@@ -45,6 +45,8 @@ pub struct Compiled {
     /// What is possible and probably not meant.
     /// What blows of contacts are like at the start.
     pub blows: Vec<(LoadId, Blow)>,
+    /// The fastest that joints which yield make, at the start.
+    pub vibration: Option<Vibration>,
     pub warnings: Diagnostics,
 }
 

@@ -45,6 +45,7 @@ pub(crate) fn potential(bodies: &[Body], loads: &[Load], gravity: V3, at: &Kinem
             0.5 * stiffness * (along.jet(at).along.value - rest).powi(2)
         }
         Acts::Mesh(mesh) => mesh.energy(at),
+        Acts::Penalty(penalty) => penalty.energy(at),
         Acts::Bushing(ways) => ways.iter().map(|way| way.energy(at)).sum(),
         _ => 0.0,
     });

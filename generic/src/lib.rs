@@ -90,6 +90,7 @@ mod mechanism;
 mod mesh;
 mod motion;
 mod number;
+mod penalty;
 mod quantity;
 mod reading;
 mod row;

@@ -5,6 +5,7 @@ use crate::kinematics::{Kinematics, Place};
 use crate::law::{Law, Scratch};
 use crate::mesh::Mesh;
 use crate::number::{Number, Taylor};
+use crate::penalty::Penalty;
 use crate::quantity::{Pull, Quantity, nearest, of_point};
 use crate::rubbing::Rubbing;
 use crate::vector::{dot, norm, times};
@@ -31,6 +32,8 @@ pub(crate) enum Acts {
     Spring { along: Quantity, stiffness: f64, rest: f64, damping: f64 },
     /// −k f − c ḟ along each way of a bushing.
     Bushing(Vec<Way>),
+    /// In place of the rows of a joint.
+    Penalty(Box<Penalty>),
     /// A force along each of several gaps.
     Contact(Vec<[Law; 2]>),
     /// The tension max(0, k s(l − l₀)/l₀ + c s′ d(l − l₀)/dt) while l > l₀, against l − l₀.
@@ -56,7 +59,7 @@ pub(crate) struct Way {
 }
 
 impl Way {
-    fn along(&self, at: &Kinematics) -> Taylor {
+    pub fn along(&self, at: &Kinematics) -> Taylor {
         let terms = self.terms.iter().map(|(factor, quantity)| quantity.jet(at).along.scaled(*factor));
         let mut along = terms.fold(Taylor::constant(0.0), Taylor::plus);
         if self.wrapped {
@@ -69,7 +72,7 @@ impl Way {
         value - value.clamp(-0.5 * self.gap, 0.5 * self.gap)
     }
 
-    fn effort(&self, along: Taylor) -> f64 {
+    pub fn effort(&self, along: Taylor) -> f64 {
         -self.stiffness * self.beyond(along.value) - self.damping * along.rate
     }
 
@@ -136,6 +139,7 @@ impl Load {
                     }
                 }
             }
+            Acts::Penalty(penalty) => penalty.evaluate(at, add),
             Acts::Contact(meetings) => {
                 for [gap, force] in meetings {
                     let force = force.value(at, inputs, scratch);
@@ -183,6 +187,7 @@ impl Load {
                 };
                 ways.iter().map(power).sum()
             }
+            Acts::Penalty(penalty) => penalty.power(at),
             Acts::Friction(friction) => friction.power(at, inputs, scratch),
             Acts::Rubbing(rubbing) => rubbing.power(at, inputs, scratch),
             Acts::Force { place, .. } | Acts::Directed { place, .. } => {
@@ -207,7 +212,7 @@ fn at_place(at: &Kinematics, place: &Place, force: [f64; 3]) -> Pull {
     of_point(&point, force)
 }
 
-fn pulled(pulls: impl IntoIterator<Item = Pull>, effort: f64, mut add: impl FnMut(Pull)) {
+pub(crate) fn pulled(pulls: impl IntoIterator<Item = Pull>, effort: f64, mut add: impl FnMut(Pull)) {
     for pull in pulls {
         add(pull.scaled(effort));
     }

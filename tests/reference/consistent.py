@@ -10,6 +10,7 @@ import casadi as ca
 import numpy as np
 
 import friction
+import penalties
 from coordinate_set import equations_evaluator, given, symbols
 from expressions import evaluate
 from magnitude import Evaluator
@@ -44,6 +45,7 @@ class AbsoluteSystem:
                 "energy_explicit": kinematics.explicit_rate(energy),
                 "elastic_powers": ca.vertcat(*[load.power_of_stores(kinematics) for load in absolute.loads]),
                 "support_powers": ca.vertcat(*[ca.dot(load.f, load.explicit) for load in absolute.loads]),
+                "yielding": self._yielding(),
                 **further,
             },
             self.evaluator_of,
@@ -53,6 +55,14 @@ class AbsoluteSystem:
         self.joint_rows = [[k for k, of in enumerate(owners) if of == name] for name in joints]
         self.first_coupling = sum(len(rows) for rows in self.joint_rows)
         self.drivers = len(definition["drivers"])
+        yielding = [joint["name"] for joint in penalties.written(definition)]
+        self.yielding = {joints.index(name): k for k, name in enumerate(yielding)}
+
+    def _yielding(self):
+        """The generalised forces of the joints that yield, one after the other."""
+        loads = [self.equations.load(joint["name"]) for joint in penalties.written(self.model.definition)]
+        forces = [ca.jtimes(load.w, self.kinematics.v, load.f + load.elastic, True) for load in loads]
+        return ca.vertcat(*forces) if forces else ca.SX(0, 1)
 
     def _further(self):
         """Quantities that only some kinds need."""
@@ -80,6 +90,11 @@ class AbsoluteSystem:
         for index, rows in enumerate(self.joint_rows):
             transfer, wrench = self._wrench(index, rows, quantities, jacobian, reactions[:, index])
             result[:, rows] = np.einsum("sij,sj->si", np.linalg.pinv(transfer), wrench)
+            if index in self.yielding:
+                columns, sign = self._columns(index)
+                count = self.kinematics.v.numel()
+                first = self.yielding[index] * count
+                wrench = wrench - sign * quantities["yielding"][0][:, first : first + count][:, columns]
             leftover[:, index, : wrench.shape[1]] = wrench - np.einsum("sij,sj->si", transfer, result[:, rows])
             size = wrench.shape[1]
             leftover[:, index, size:] = reactions[:, index, size:]  # nothing can turn a particle

@@ -9,6 +9,7 @@ import math
 import casadi as ca
 
 import expressions
+import penalties
 from expressions import entry, evaluate
 
 REFINED = 3  # passes of Newton's method for the foot on a profile
@@ -19,8 +20,9 @@ FLAT = ("half_plane", "plane")
 
 
 def all_loads(definition):
-    """The names of the loads in the order of their powers: contacts come last."""
-    return [load["name"] for load in definition["loads"]] + [contact["name"] for contact in definition.get("contacts", [])]
+    """The names of the loads in the order of their powers: contacts and then joints that yield come last."""
+    touching = [contact["name"] for contact in definition.get("contacts", [])]
+    return [load["name"] for load in definition["loads"]] + touching + [joint["name"] for joint in penalties.written(definition)]
 
 
 def find(definition, name):

@@ -20,6 +20,7 @@ import friction
 import gears
 import hysteresis
 import meshes
+import penalties
 from expressions import evaluate
 
 
@@ -180,6 +181,8 @@ class Energies:
             elif load.get("stiffness"):
                 stiffness, deflection = self._spring(load)
                 energy += stiffness * deflection**2 / 2
+        for joint in penalties.written(self.model.definition):
+            energy += penalties.Penalty(joint, self.kinematics).energy()
         return energy
 
     def _spring(self, load):
@@ -238,7 +241,11 @@ class Energies:
             raise ValueError(f"{self.model.title}: the load `{name}` depends on its own power")
         if name not in self._loads:
             self._under_way.add(name)
-            touching = contacts.find(self.model.definition, name)
+            touching, yielding = contacts.find(self.model.definition, name), penalties.find(self.model.definition, name)
+            if yielding:
+                self._loads[name] = self._penalty(yielding)
+                self._under_way.remove(name)
+                return self._loads[name]
             written = touching or next(x for x in self.model.definition["loads"] if x["name"] == name)
             self._loads[name] = self._contact(written) if touching else self._derive_load(written)
             self._under_way.remove(name)
@@ -269,6 +276,11 @@ class Energies:
         gaps = ca.vertcat(*kinematics.contacts.gaps(name)[0])
         forces = ca.vertcat(*kinematics.contacts.forces(name))
         return Load(name, kinematics.rate(gaps), kinematics.explicit_rate(gaps), forces, ca.SX.zeros(gaps.numel()))
+
+    def _penalty(self, joint):
+        kinematics, penalty = self.kinematics, penalties.Penalty(joint, self.kinematics)
+        w, explicit = kinematics.rate(penalty.deflection), kinematics.explicit_rate(penalty.deflection)
+        return Load(joint["name"], w, explicit, penalty.lost(w), penalty.elastic())
 
     def _derive_load(self, load):
         kinematics, name, kind = self.kinematics, load["name"], load["kind"]

@@ -14,6 +14,7 @@ import casadi as ca
 import contacts
 import expressions
 import meshes
+import penalties
 from expressions import entry, evaluate
 
 
@@ -223,13 +224,17 @@ class Kinematics:
 
     def rows(self):
         definition = self.model.definition
-        rows = [row for joint in self.model.joints.values() for row in self.joint_rows(joint)]
+        rows = [row for joint in self.model.joints.values() if not self.yields(joint.name) for row in self.joint_rows(joint)]
         rows += [self._coupling_row(coupling) for coupling in definition["constraints"] if not self._follows(coupling)]
         rows += [self._driver_row(driver) for driver in definition["drivers"]]
         for row in rows:
             if ca.depends_on(row.value, self.v):
                 raise ValueError(f"{self.model.title}: the row {row} depends on velocities")
         return rows
+
+    def yields(self, name):
+        """Whether forces act in place of the joint's rows."""
+        return penalties.find(self.model.definition, name) is not None
 
     def joint_rows(self, joint):
         p1, p2 = self.position(joint.first), self.position(joint.second)

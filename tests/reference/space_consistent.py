@@ -25,7 +25,8 @@ class SpaceAbsoluteSystem(AbsoluteSystem):
         kinematics = self.kinematics
         joints = list(self.model.joints.values())
         matrices = [ca.vec(kinematics.pose(self._written_on(joint)).matrix) for joint in joints]
-        sides = [(joint.name, side) for joint in joints for side in kinematics.sides(joint)]
+        holding = [joint for joint in joints if not kinematics.yields(joint.name)]
+        sides = [(joint.name, side) for joint in holding for side in kinematics.sides(joint)]
         self.side_names = [name for name, _ in sides]
         dropped = ca.vertcat(*[row.value for row in kinematics.dropped]) if kinematics.dropped else ca.SX(0, 1)
         return {

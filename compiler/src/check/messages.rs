@@ -121,6 +121,13 @@ pub fn counted_and_cut(joint: &str) -> String {
     )
 }
 
+pub fn counted_and_yielding(joint: &str) -> String {
+    format!(
+        "the turns of \"{joint}\" are counted, because a law, driver or coupling uses its angle, and in space only the angle of a joint \
+         that carries a body can be; \"{joint}\" yields: leave its `penalty` out, or use another angle"
+    )
+}
+
 pub fn not_counted_in_absolute(joint: &str) -> String {
     format!(
         "the turns of \"{joint}\" are counted, which absolute coordinates in space can do only for one axis that is known at \

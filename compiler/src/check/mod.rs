@@ -9,6 +9,7 @@ mod friction;
 mod gears;
 mod messages;
 pub mod motion;
+mod penalty;
 mod proportion;
 pub mod rules;
 mod size;
@@ -20,6 +21,7 @@ pub use beams::{Strain, strains, unstiffened};
 pub use beyond::beyond_tables;
 pub use contacts::{Blow, contact_times, contacts};
 pub use cords::cords;
+pub use penalty::{Vibration, vibration};
 pub use steady::{steady, unstable};
 pub use warnings::{unstable_states, warnings};
 
@@ -27,7 +29,7 @@ pub use size::{size, ways};
 
 use crate::diagnostics::Diagnostics;
 use crate::equations::{SpanningTree, couplings, space};
-use crate::model::{JointId, Mechanism, Rotor, Space};
+use crate::model::{Joint, JointId, Mechanism, Rotor, Space};
 
 /// The static rules.
 pub fn check(mechanism: &Mechanism) -> Result<(), Diagnostics> {
@@ -43,8 +45,10 @@ pub fn counted_angles(mechanism: &Mechanism, tree: &SpanningTree) -> Result<(), 
         let carrying = tree.carrying(mechanism);
         for rotor in couplings::multi_turn_rotors(mechanism) {
             let Rotor::Joint(joint, _) = rotor else { continue };
-            let name = &mechanism.joints[joint.0].name;
-            if !carrying[joint.0] {
+            let Joint { name, .. } = &mechanism.joints[joint.0];
+            if !mechanism.joints[joint.0].holds() {
+                errors.error(name.span, messages::counted_and_yielding(&name.text));
+            } else if !carrying[joint.0] {
                 errors.error(name.span, messages::counted_and_cut(&name.text));
             }
         }

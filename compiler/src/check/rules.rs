@@ -14,7 +14,7 @@ use crate::model::{
 use std::collections::HashMap;
 
 /// The rules in the order they are reported.
-const RULES: [fn(&Mechanism, &mut Diagnostics); 22] = [
+const RULES: [fn(&Mechanism, &mut Diagnostics); 23] = [
     has_bodies,
     is_of_a_size_to_write_out,
     bounds_hold_the_default,
@@ -35,6 +35,7 @@ const RULES: [fn(&Mechanism, &mut Diagnostics); 22] = [
     orientations_are_said_once,
     cuts_differ,
     loads_act_on_bodies,
+    super::penalty::what_yields_is_not_cut,
     loops_of_friction_are_small,
     super::beams::frequencies,
 ];
@@ -390,7 +391,7 @@ pub(super) fn touched(mechanism: &Mechanism) -> Vec<bool> {
             Subject::Place(place) => touch(&mut touched, place.frame),
             Subject::Rotor(rotor) => touch_rotor(&mut touched, *rotor),
             // The bodies of a joint have been touched by it.
-            Subject::Travel(_) | Subject::Bearing(..) => {}
+            Subject::Travel(_) | Subject::Bearing(..) | Subject::Joint(_) => {}
             // Its contact touches them.
             Subject::Touches(_) => {}
             Subject::Body(body) => touch(&mut touched, Frame::Body(*body)),
@@ -406,7 +407,7 @@ pub(super) fn touched(mechanism: &Mechanism) -> Vec<bool> {
         match coordinate {
             Coordinate::Angle(rotor) => touch_rotor(&mut touched, *rotor),
             // The bodies of a joint have been touched by it; what a beam does in itself holds it nowhere.
-            Coordinate::Travel(..) | Coordinate::Mode(..) => {}
+            Coordinate::Travel(..) | Coordinate::Mode(..) | Coordinate::Closing(..) => {}
             Coordinate::Turn(body, _) | Coordinate::Deviation(body, _) => {
                 touch(&mut touched, Frame::Body(*body))
             }

@@ -177,8 +177,8 @@ fn nothing_from(load: &Load) -> Option<String> {
     if load.form.law != Law::None {
         return load.law.iter().all(zero).then(|| messages::zero_load(name));
     }
-    let mut pulling = load.arguments().filter(|(argument, _)| argument.sign == Sign::Restoring);
-    if pulling.all(|(_, values)| values.iter().all(zero)) {
+    let mut pulling = load.arguments().filter(|(argument, _)| argument.sign == Sign::Restoring).peekable();
+    if pulling.peek().is_some() && pulling.all(|(_, values)| values.iter().all(zero)) {
         return Some(messages::spring_of_nothing(name));
     }
     let number = |expr: &Expr| if let Expr::Number(value) = expr { Some(*value) } else { None };
@@ -211,7 +211,9 @@ fn nothing_moved(mechanism: &Mechanism, load: &Load, rigid: &Groups, parallel: &
             still.then(|| messages::torque_on_held(name, body(*id)))
         }
         Subject::Rotor(Rotor::Joint(id, _)) => locked(mechanism, name, *id, parallel),
-        Subject::Travel(id) | Subject::Bearing(id, _) => locked(mechanism, name, *id, rigid),
+        Subject::Travel(id) | Subject::Bearing(id, _) | Subject::Joint(id) => {
+            locked(mechanism, name, *id, rigid)
+        }
         // Its derivative says so, and the compiler leaves out what is zero.
         Subject::Expression(..) | Subject::Touches(_) => None,
         Subject::Toothing(id) => {
@@ -262,7 +264,7 @@ impl Groups {
             }
             member
         };
-        let holds = |joint: &&Joint| holds(joint.form) && holds_bodies(mechanism, joint);
+        let holds = |joint: &&Joint| joint.holds() && holds(joint.form) && holds_bodies(mechanism, joint);
         for joint in mechanism.joints.iter().filter(holds) {
             let ends = [joint.first.frame, joint.second.frame];
             let [one, other] = ends.map(|frame| own(&group, member(frame, mechanism.bodies.len())));

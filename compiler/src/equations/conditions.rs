@@ -4,7 +4,9 @@ use super::Equations;
 use super::coordinates::{angle_name, mode_name, travel_name};
 use super::jet::Jet;
 use super::laws::Laws;
-use crate::model::{Coordinate, Mechanism, Rotor, StartOrientation};
+use super::rows::{JointRow, that_yield};
+use crate::forms::RowForm;
+use crate::model::{Coordinate, JointId, Mechanism, Rotor, StartOrientation};
 use crate::symbolic::{Class, Node};
 
 /// One coordinate as a row beside the constraints.
@@ -42,6 +44,7 @@ pub fn name(mechanism: &Mechanism, coordinate: &Coordinate) -> String {
         Coordinate::Turn(body, axis) => {
             format!("{}.rate.{}", mechanism.bodies[body.0].name.text, ["x", "y", "z"][*axis])
         }
+        Coordinate::Closing(joint, row) => format!("{}.{}", mechanism.joints[joint.0].name.text, row.name),
         Coordinate::Deviation(body, axis) => {
             format!("{}.orientation.{}", mechanism.bodies[body.0].name.text, ["x", "y", "z"][*axis])
         }
@@ -63,6 +66,7 @@ pub fn condition(laws: &Laws, coordinate: &Coordinate) -> (Condition, Node) {
         | Coordinate::Direction(..)
         | Coordinate::Turn(..)
         | Coordinate::Mode(..)
+        | Coordinate::Closing(..)
         | Coordinate::Deviation(..) => None,
     };
     let counted = rotor.is_some_and(|rotor| laws.is_counted(rotor));
@@ -72,7 +76,13 @@ pub fn condition(laws: &Laws, coordinate: &Coordinate) -> (Condition, Node) {
             let (c, s) = (target.cos(), target.sin());
             (sin * c - cos * s, cos * c + sin * s)
         }
-        None => (motion.value() - target, laws.g.one()),
+        None => {
+            let upright = match coordinate {
+                Coordinate::Closing(joint, form) => row_of(laws, *joint, form).and_then(|row| row.upright),
+                _ => None,
+            };
+            (motion.value() - target, upright.map_or(laws.g.one(), |upright| laws.g.on(upright)))
+        }
     };
     (
         Condition {
@@ -157,9 +167,21 @@ pub fn orientation(laws: &Laws, start: &StartOrientation) -> [(Condition, Node);
     [0, 1, 2].map(|axis| condition(laws, &Coordinate::Deviation(start.body, axis)))
 }
 
-/// The conditions of `start`, in order of first mention.
+/// A row of a joint that yields.
+pub fn row_of(laws: &Laws, joint: JointId, form: &RowForm) -> Option<JointRow> {
+    that_yield(laws, joint).into_iter().find(|row| row.form == form)
+}
+
+/// The conditions of `start`, in order of first mention; joints that yield are closed there, and stand still.
 pub fn start_conditions(laws: &Laws) -> Conditions {
     let mut conditions = Conditions::default();
+    let zero = laws.g.zero().bare;
+    for id in (0..laws.mechanism.joints.len()).filter(|id| !laws.mechanism.joints[*id].holds()) {
+        for row in that_yield(laws, JointId(id)) {
+            let closing = condition(laws, &Coordinate::Closing(JointId(id), row.form));
+            conditions.push(closing, StartTarget { position: Some(zero), rate: Some(zero) });
+        }
+    }
     for start in laws.mechanism.start.iter().filter(|start| start.exact) {
         let known = conditions.rows.iter().position(|known| known.coordinate == start.coordinate);
         let index = known.unwrap_or(conditions.rows.len());
@@ -170,7 +192,6 @@ pub fn start_conditions(laws: &Laws) -> Conditions {
         let target = &mut conditions.start[index];
         *if start.rate { &mut target.rate } else { &mut target.position } = value;
     }
-    let zero = laws.g.zero().bare;
     for start in laws.mechanism.orientations.iter().filter(|start| start.exact) {
         for condition in orientation(laws, start) {
             conditions.push(condition, StartTarget { position: Some(zero), rate: None });

@@ -3,7 +3,7 @@
 use super::coordinates::{Layout, Symbols};
 use super::jet::{Jet, Moving};
 use super::kinematics::Kinematics;
-use super::{Wrench, friction, loads, look_up, plane, space};
+use super::{Wrench, conditions, friction, loads, look_up, plane, space};
 use crate::model::{
     Comparison, Condition, Coordinate, Expr, Function1, Function2, JointId, Load, LoadId, Mechanism, Place,
     Quantity, ReactionPart, Rotor, Vector,
@@ -77,6 +77,11 @@ impl<'a> Laws<'a> {
         kinematics: &'a Kinematics,
     ) -> Self {
         Laws { g, mechanism, symbols, layout, kinematics, totals: &NO_TOTALS, known: None }
+    }
+
+    /// A jet in the velocities of the motion.
+    pub fn moving_by(&self, jet: Jet) -> Moving<'a> {
+        self.g.zero().moving(self.kinematics.velocities(), jet)
     }
 
     /// Of other kinematics with the same meaning.
@@ -306,6 +311,10 @@ impl<'a> Laws<'a> {
                     None => self.still(self.g.zero()),
                 }
             }
+            Coordinate::Closing(joint, form) => match conditions::row_of(self, *joint, form) {
+                Some(row) => self.moving_by(row.jet),
+                None => self.still(self.g.zero()),
+            },
             Coordinate::Distance(a, b) => self.square(a, b).sqrt(),
             Coordinate::Square(a, b) => self.square(a, b),
             Coordinate::Way(ends, direction) => self.kinematics().way(self, &ends[0], direction, &ends[1]),

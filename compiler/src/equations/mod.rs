@@ -33,6 +33,7 @@ pub use friction::{Friction, closed};
 pub use jet::{Jet, Moving};
 pub use kinematics::Kinematics;
 pub use laws::{Laws, Totals, power};
+pub use loads::penalty::penalties;
 pub use rows::{JointRow, Origin, Row, RowOfJoint};
 pub use spanning_tree::{Attachment, SpanningTree};
 pub use switch::{Omitted, Sized, Switch};
@@ -519,4 +520,5 @@ pub static VOCABULARY: Vocabulary = Vocabulary {
     surfaces: SURFACES,
     contact_laws: CONTACT_LAWS,
     contact: &loads::CONTACT.form,
+    penalty: &loads::PENALTY.form,
 };

@@ -88,6 +88,9 @@ pub(super) fn rows(laws: &Laws, tree: &SpanningTree, carrying: &[bool], dropped:
     let mut rows = Vec::new();
     for (index, joint) in mechanism.joints.iter().enumerate().filter(|(index, _)| !carrying[*index]) {
         let id = JointId(index);
+        if !joint.holds() {
+            continue;
+        }
         let of_joint = match mechanism.space {
             Space::Planar => plane::joints::rows(laws, joint),
             Space::Spatial => space::joints::rows(laws, tree, id),
@@ -111,6 +114,14 @@ pub(super) fn rows(laws: &Laws, tree: &SpanningTree, carrying: &[bool], dropped:
         rows.push(Row::new(Origin::Driver(DriverId(index)), &driver.name, JointRow::new(form, row)));
     }
     rows
+}
+
+/// The rows in whose place a load acts, seen from the first place.
+pub fn that_yield(laws: &Laws, id: JointId) -> Vec<JointRow> {
+    match laws.mechanism.space {
+        Space::Planar => plane::joints::rows(laws, &laws.mechanism.joints[id.0]),
+        Space::Spatial => space::joints::rows_that_yield(laws, id),
+    }
 }
 
 /// Rows of each joint that has some, by index of joint.

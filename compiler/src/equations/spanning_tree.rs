@@ -42,7 +42,7 @@ impl SpanningTree {
             // What keeps a direction that bends is a row.
             let straight = !joint.form.keeps_orientation
                 || [&joint.first, &joint.second].iter().all(|place| mechanism.keeps_direction(place));
-            if usable(&id) && straight && plane::joints::of(joint.form).attach.is_some() {
+            if usable(&id) && joint.holds() && straight && plane::joints::of(joint.form).attach.is_some() {
                 at.entry(joint.first.frame).or_default().push(id);
                 at.entry(joint.second.frame).or_default().push(id);
             }

@@ -1,6 +1,6 @@
 //! What anyone may know of a kind of joint.
 
-use super::{Form, Positional};
+use super::{Form, Positional, Space};
 
 /// A kind of joint, without its equations.
 #[derive(Debug)]
@@ -44,6 +44,21 @@ impl JointForm {
     /// The name of what it exerts as one quantity, if it has one.
     pub fn effort(&self) -> Option<&'static str> {
         (self.spans == Spans::Rod).then_some("tension")
+    }
+
+    /// Whether it keeps a shift from its places: it has fewer travels than the space has dimensions.
+    pub fn holds_shifts(&self, space: Space) -> bool {
+        self.travels.len() < space.dimensions()
+    }
+
+    /// Whether it keeps a turn from its bodies, which particles do not have.
+    pub fn holds_turns(&self) -> bool {
+        self.of_particle == OfParticle::Neither
+    }
+
+    /// Whether its travel follows its angle.
+    pub fn winds(&self) -> bool {
+        self.freedoms < self.angles.len() + self.travels.len()
     }
 
     /// Whether its second body is drawn as a block on a rail.

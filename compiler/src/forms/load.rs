@@ -69,6 +69,8 @@ pub enum Acts {
     Travel,
     /// A joint whose surfaces slide on each other.
     Bearing,
+    /// A joint, in place of its rows.
+    Joint,
     /// A body that turns.
     Body,
     /// A toothing of a body.

@@ -17,7 +17,7 @@ pub use contact::{CONTACT_LAWS, ContactLaw, ContactLawForm, SURFACES, SurfaceFor
 pub use coupling::{CouplingForm, Factor, Means, Proportion};
 pub use joint::{Alone, Bearing, Freer, Given, JointAxes, JointForm, OfParticle, Spans, degrees_between};
 pub use load::{Acts, Law, LoadForm, Owned, Written};
-pub use row::RowForm;
+pub use row::{Measures, RowForm};
 pub use table::{Interpolation, Outside};
 pub use toothing::{INVOLUTE, Rim, ToothingForm};
 
@@ -60,6 +60,8 @@ pub struct Vocabulary {
     pub contact_laws: &'static [ContactLawForm],
     /// What a contact is as a load.
     pub contact: &'static LoadForm,
+    /// What a joint is as a load whose rows yield.
+    pub penalty: &'static LoadForm,
 }
 
 /// How an element is written: `word(positional, …, name = value, …)`.

@@ -18,9 +18,16 @@ pub struct Joint {
     pub directions: Vec<Vector>,
     /// Its other arguments, in their order.
     pub scalars: Vec<Expr>,
+    /// The load that acts in place of its rows.
+    pub penalty: Option<LoadId>,
 }
 
 impl Joint {
+    /// Whether it has rows or carries a body, and no load yields in their place.
+    pub fn holds(&self) -> bool {
+        self.penalty.is_none()
+    }
+
     /// As written.
     pub fn word(&self) -> &'static str {
         self.form.call.word
@@ -160,6 +167,8 @@ pub enum Subject {
     Travel(JointId),
     /// A joint whose surfaces slide on each other, and what the way measures that they slide.
     Bearing(JointId, Dimension),
+    /// A joint, in place of its rows.
+    Joint(JointId),
     /// A contact whose surfaces slide on each other.
     Touches(LoadId),
     /// A body in space, about the axes of the world.
@@ -201,6 +210,7 @@ impl Load {
             Subject::Rotor(_)
             | Subject::Travel(_)
             | Subject::Bearing(..)
+            | Subject::Joint(_)
             | Subject::Touches(_)
             | Subject::Body(_)
             | Subject::Expression(..)
@@ -220,6 +230,7 @@ impl Load {
             Subject::Place(_)
             | Subject::Rotor(_)
             | Subject::Bearing(..)
+            | Subject::Joint(_)
             | Subject::Touches(_)
             | Subject::Body(_)
             | Subject::Expression(..)
@@ -228,11 +239,20 @@ impl Load {
         travel.expect("the form says so")
     }
 
+    /// The joint in place of whose rows it acts.
+    pub fn in_place_of(&self) -> Option<JointId> {
+        match self.on[..] {
+            [Subject::Joint(joint)] => Some(joint),
+            _ => None,
+        }
+    }
+
     /// The joint that it acts in, if it is a friction.
     pub fn bearing(&self) -> Option<JointId> {
         self.on.iter().find_map(|subject| match subject {
             Subject::Bearing(joint, _) => Some(*joint),
             Subject::Place(_)
+            | Subject::Joint(_)
             | Subject::Touches(_)
             | Subject::Rotor(_)
             | Subject::Travel(_)
@@ -250,6 +270,7 @@ impl Load {
             | Subject::Rotor(_)
             | Subject::Travel(_)
             | Subject::Bearing(..)
+            | Subject::Joint(_)
             | Subject::Body(_)
             | Subject::Toothing(_)
             | Subject::Expression(..) => None,
@@ -270,6 +291,7 @@ impl Load {
             Subject::Place(_)
             | Subject::Travel(_)
             | Subject::Bearing(..)
+            | Subject::Joint(_)
             | Subject::Touches(_)
             | Subject::Body(_)
             | Subject::Expression(..)
@@ -290,6 +312,7 @@ impl Load {
             | Subject::Rotor(_)
             | Subject::Travel(_)
             | Subject::Bearing(..)
+            | Subject::Joint(_)
             | Subject::Touches(_)
             | Subject::Body(_)
             | Subject::Toothing(_) => None,

@@ -4,6 +4,7 @@ use super::tables::LookUp;
 use super::{
     BodyId, ConstraintId, DriverId, InputId, JointId, LoadId, ParameterId, Place, Rotor, StateId, Vector,
 };
+use crate::forms::{Measures, RowForm};
 use crate::units::Dimension;
 
 /// A scalar expression in SI units.
@@ -256,6 +257,8 @@ pub enum Coordinate {
     Deviation(BodyId, usize),
     /// A mode of a body, and whether it is an angle: m, of a beam in torsion rad.
     Mode(BodyId, u8, bool),
+    /// A row of a joint that yields: m, or a direction.
+    Closing(JointId, &'static RowForm),
 }
 
 impl Coordinate {
@@ -266,9 +269,12 @@ impl Coordinate {
             Self::Direction(of, _) => (Some(&of.0), None),
             Self::Distance(first, second) | Self::Square(first, second) => (Some(&**first), Some(&**second)),
             Self::Way(ends, _) => (Some(&ends[0]), Some(&ends[1])),
-            Self::Angle(_) | Self::Travel(..) | Self::Turn(..) | Self::Deviation(..) | Self::Mode(..) => {
-                (None, None)
-            }
+            Self::Angle(_)
+            | Self::Travel(..)
+            | Self::Turn(..)
+            | Self::Deviation(..)
+            | Self::Mode(..)
+            | Self::Closing(..) => (None, None),
         };
         first.into_iter().chain(second)
     }
@@ -286,6 +292,8 @@ impl Coordinate {
             Self::Mode(_, _, is_angle) => of_mode(*is_angle),
             Self::Square(..) => Dimension::LENGTH.times(Dimension::LENGTH),
             Self::Direction(..) => Dimension::ONE,
+            Self::Closing(_, row) if row.measures == Measures::Direction => Dimension::ANGLE,
+            Self::Closing(..) => Dimension::LENGTH,
         }
     }
 
@@ -297,6 +305,7 @@ impl Coordinate {
             Self::Mode(_, _, is_angle) => of_mode(*is_angle).over(Dimension::TIME),
             Self::Square(..) => Dimension::LENGTH.times(Dimension::SPEED),
             Self::Direction(..) => Dimension::ONE.over(Dimension::TIME),
+            Self::Closing(..) => self.dimension().over(Dimension::TIME),
         }
     }
 }

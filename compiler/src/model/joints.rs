@@ -74,10 +74,18 @@ impl<'d> Lowering<'d> {
             }
         }
         let (first, second) = (first?, second?);
-        let lowered = Joint { name: name(&joint.name), form: joint.form, first, second, directions, scalars };
+        let (name, penalty) = (name(&joint.name), self.load_of_joint(joint));
+        let lowered = Joint { name, form: joint.form, first, second, directions, scalars, penalty };
         self.refused(joint, &lowered)?;
         self.two_bodies(joint, &lowered.first, &lowered.second)?;
         self.joint_of_beam(joint, &lowered)?;
+        if let Some(place) = [&lowered.first, &lowered.second].into_iter().find(|it| self.bends(it.frame))
+            && !lowered.holds()
+        {
+            self.diagnostics
+                .error(joint.name.region, messages::penalty_on_beam(&joint.name.text, &place.text));
+            return None;
+        }
         Some(lowered)
     }
 

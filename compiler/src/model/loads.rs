@@ -4,7 +4,7 @@ use super::fold;
 use super::lower::{Lowering, Use, name};
 use super::names::Part;
 use super::values::padded;
-use super::{Expr, Function1, Function2, Load, Rotor, Subject, Vector};
+use super::{Expr, Function1, Function2, JointId, Load, Rotor, Subject, Vector};
 use crate::forms::{Acts, Argument, Law, Value};
 use crate::messages;
 use crate::syntax::{self, LawTerm, Named, Space, SubjectTerm, Tuple};
@@ -24,6 +24,7 @@ impl<'d> Lowering<'d> {
         let (mut values, law) = (values?, law?);
         self.rates_of_arguments(load, &mut values)?;
         self.rubs(load, &on, &mut values)?;
+        self.yields(load, &on, &mut values)?;
         let ungated = self.held_by(load, &on)?;
         let law = match (load.form.law, &law[..]) {
             (Law::Components(_), [value]) => directed(load, &values, value),
@@ -105,6 +106,10 @@ impl<'d> Lowering<'d> {
             (SubjectTerm::Name(label), Acts::Rotor) => self.rotor(label).map(Subject::Rotor),
             (SubjectTerm::Name(label), Acts::Travel) => self.slide(label).map(Subject::Travel),
             (SubjectTerm::Name(label), Acts::Bearing) => self.bearing(label),
+            (SubjectTerm::Name(label), Acts::Joint) => match self.names.part(&label.text) {
+                Some(Part::Joint(index)) => Some(Subject::Joint(JointId(index))),
+                _ => None,
+            },
             (SubjectTerm::Name(label), Acts::Body) => self.turning_body(label).map(Subject::Body),
             (SubjectTerm::Place(syntax::PlaceTerm::Named(path)), Acts::Toothing) => {
                 self.toothing_of(path).map(Subject::Toothing)
@@ -128,6 +133,7 @@ impl<'d> Lowering<'d> {
                 Acts::Rotor
                 | Acts::Travel
                 | Acts::Bearing
+                | Acts::Joint
                 | Acts::Body
                 | Acts::Toothing
                 | Acts::Expression
@@ -136,7 +142,13 @@ impl<'d> Lowering<'d> {
             | (SubjectTerm::Name(_), Acts::Place | Acts::Toothing | Acts::Expression | Acts::Way)
             | (
                 SubjectTerm::Expression(_),
-                Acts::Place | Acts::Rotor | Acts::Travel | Acts::Bearing | Acts::Body | Acts::Toothing,
+                Acts::Place
+                | Acts::Rotor
+                | Acts::Travel
+                | Acts::Bearing
+                | Acts::Joint
+                | Acts::Body
+                | Acts::Toothing,
             ) => None,
         }
     }

@@ -76,7 +76,9 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
         loads: {
             let loads = lowering.each(&definition.loads, Lowering::load);
             let contacts = lowering.each(&definition.contacts, Lowering::contact);
-            loads.into_iter().chain(contacts).collect()
+            let penalties = definition.joints.iter().filter_map(|joint| joint.penalty.as_ref());
+            let penalties: Vec<_> = penalties.filter_map(|load| lowering.load(load)).collect();
+            loads.into_iter().chain(contacts).chain(penalties).collect()
         },
         surfaces: lowering.contacts.named(),
         start: lowering.each(&definition.start, Lowering::start_condition),
@@ -340,6 +342,7 @@ impl<'d> Lowering<'d> {
             // Forms of couplings name coordinates only.
             Subject::Place(_)
             | Subject::Bearing(..)
+            | Subject::Joint(_)
             | Subject::Touches(_)
             | Subject::Body(_)
             | Subject::Expression(..)

@@ -22,6 +22,7 @@ mod loads;
 mod lower;
 mod names;
 mod parts;
+mod penalty;
 mod places;
 mod quantities;
 mod reactions;

@@ -272,7 +272,14 @@ impl<'d> Lowering<'d> {
             let part = self.reaction(joint, path)?;
             return Found::result(Quantity::Reaction(joint, part), part.dimension());
         }
-        let effort = self.definition.joints[joint.0].form.effort();
+        let term = &self.definition.joints[joint.0];
+        if quantity.text == "power"
+            && path.parts.len() == 2
+            && let Some(load) = self.load_of_joint(term)
+        {
+            return Found::result(Quantity::Power(load), Dimension::POWER);
+        }
+        let effort = term.form.effort();
         if path.parts.len() == 2 && effort == Some(quantity.text.as_str()) {
             let part = ReactionPart::Tension;
             return Found::result(Quantity::Reaction(joint, part), part.dimension());

@@ -66,7 +66,10 @@ impl Stand<'_> {
                 let (at, axes) = self.poses[body.0];
                 Driven::Turn(at, axes[*axis])
             }
-            Coordinate::Direction(..) | Coordinate::Deviation(..) | Coordinate::Mode(..) => return None,
+            Coordinate::Direction(..)
+            | Coordinate::Deviation(..)
+            | Coordinate::Closing(..)
+            | Coordinate::Mode(..) => return None,
         })
     }
 }

@@ -267,7 +267,10 @@ fn frames<'c>(
     load.on.iter().filter_map(|subject| match subject {
         Subject::Expression(..) | Subject::Touches(_) => None,
         Subject::Place(place) => Some((place.frame, Some(place))),
-        Subject::Rotor(Rotor::Joint(joint, _)) | Subject::Travel(joint) | Subject::Bearing(joint, _) => {
+        Subject::Rotor(Rotor::Joint(joint, _))
+        | Subject::Travel(joint)
+        | Subject::Bearing(joint, _)
+        | Subject::Joint(joint) => {
             let second = &compiled.mechanism.joints[joint.0].second;
             Some((second.frame, Some(second)))
         }

@@ -250,7 +250,7 @@ impl<'a> Stand<'a> {
                 Subject::Expression(..) => continue,
                 Subject::Toothing(id) => end((self.poses[id.body.0].0, [0.0, 0.0, 1.0])),
                 // It stands where its joint or contact is drawn.
-                Subject::Bearing(..) | Subject::Touches(_) => continue,
+                Subject::Bearing(..) | Subject::Joint(_) | Subject::Touches(_) => continue,
                 Subject::Place(place) => {
                     let is_grounded = place.frame == Frame::Ground;
                     End { at: self.place(place), axis: [0.0; 3], is_grounded }

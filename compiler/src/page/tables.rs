@@ -102,6 +102,7 @@ pub fn joints(page: &mut String, compiled: &Compiled) {
             equations.tree.attachments.iter().find(|it| it.joint.is_some_and(|(own, _)| own.0 == index));
         let part = match carried {
             Some(attachment) => format!("carries {}", code(&mechanism.bodies[attachment.body.0].name.text)),
+            None if !joint.holds() => "yields".to_string(),
             None if rows.is_empty() => "none of its rows is needed".to_string(),
             None => format!("rows {}", rows.join(", ")),
         };
@@ -164,7 +165,9 @@ pub fn loads(page: &mut String, compiled: &Compiled) {
         let on = load.on.iter().map(|subject| match subject {
             Subject::Place(place) => code(&place.text),
             Subject::Rotor(rotor) => code(rotor_name(mechanism, *rotor)),
-            Subject::Travel(joint) | Subject::Bearing(joint, _) => code(joint_name(mechanism, *joint)),
+            Subject::Travel(joint) | Subject::Bearing(joint, _) | Subject::Joint(joint) => {
+                code(joint_name(mechanism, *joint))
+            }
             Subject::Touches(contact) => code(&mechanism.loads[contact.0].name.text),
             Subject::Body(body) => code(&mechanism.bodies[body.0].name.text),
             Subject::Expression(..) => "an expression".to_string(),
@@ -179,6 +182,9 @@ pub fn loads(page: &mut String, compiled: &Compiled) {
         table.row(vec![code(&load.name.text), load.form.title.to_string(), on.join(", "), data]);
     }
     table.write(page, "Loads");
+    if let Some(vibration) = compiled.vibration {
+        page.push_str(&format!("\nOf joints that yield, {vibration}.\n"));
+    }
 }
 
 /// What a touch of a contact is like.

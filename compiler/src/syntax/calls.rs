@@ -111,6 +111,7 @@ impl Parser<'_> {
         let joints = (self.vocabulary.joints)(self.definition.space);
         let forms: Vec<&Form> = joints.iter().map(|joint| &joint.call).collect();
         let (which, mut arguments) = self.call_of(c, &forms, "joint")?;
+        let penalty = self.penalty(c, &name)?;
         self.semicolon(c)?;
         let first = match arguments.lines.pop() {
             Some(line) => FirstTerm::Line(line),
@@ -123,8 +124,23 @@ impl Parser<'_> {
             first,
             second,
             named: arguments.named,
+            penalty,
         });
         Ok(())
+    }
+
+    /// `= penalty(…)` behind a joint, if it is there.
+    fn penalty(&mut self, c: &mut Cursor, joint: &Label) -> Parsed<Option<Load>> {
+        if !c.eat_punct('=') {
+            return Ok(None);
+        }
+        let form = self.vocabulary.penalty;
+        if !c.at_word(form.call.word) {
+            return self.fail(c.region(), messages::law_of_joint());
+        }
+        let (_, arguments) = self.call_of(c, &[&form.call], "law of a joint")?;
+        let (name, on) = (joint.clone(), vec![SubjectTerm::Name(joint.clone())]);
+        Ok(Some(Load { name, form, on, named: arguments.named, law: LawTerm::None }))
     }
 
     /// `name: gear(…);`, `name: rack(…);` or `name: left = right;` after the word `constraint`.

@@ -241,6 +241,8 @@ pub struct Joint {
     pub first: FirstTerm,
     pub second: PlaceTerm,
     pub named: Named,
+    /// What acts in place of its rows, `= penalty(…)`.
+    pub penalty: Option<Load>,
 }
 
 /// The arguments of an element that were written with their names, in that order.

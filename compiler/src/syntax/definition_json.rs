@@ -419,6 +419,9 @@ impl Writer {
                 | Value::TeethDamping => {}
             }
         }
+        if let Some(penalty) = &joint.penalty {
+            self.key("penalty").object(|w| w.named(&penalty.named));
+        }
     }
 
     /// A line of the ground is written out, as only bodies carry lines in the file.

@@ -15,6 +15,7 @@ mod limits;
 mod look_up;
 mod mistakes;
 mod parts;
+mod penalties;
 mod shear;
 mod space;
 mod spans;

@@ -56,6 +56,13 @@ impl<'t> Reader<'t> {
             } else {
                 self.plane_rows(&joint, node, own)?
             };
+            if let Some(written) = optional(node, "penalty") {
+                let load = self.penalty(&joint, written, own, equations)?;
+                self.penalties.push(load);
+                self.joint_by_name.insert(own, self.joints.len());
+                self.joints.push(joint);
+                continue;
+            }
             rows.extend(equations.into_iter().map(|(what, equation)| Row {
                 of: own.to_string(),
                 what,
@@ -251,6 +258,10 @@ impl<'t> Reader<'t> {
 }
 
 impl Joint {
+    pub(super) fn kind(&self) -> &str {
+        &self.kind
+    }
+
     fn gap(&self, axis: usize) -> Equation {
         Equation::Zero(Quantity::Gap { first: self.first.clone(), second: self.second.clone(), axis })
     }

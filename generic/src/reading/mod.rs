@@ -14,6 +14,7 @@ mod joints;
 mod laws;
 mod loads;
 mod meshes;
+mod penalties;
 mod places;
 mod rubbing;
 mod states;
@@ -48,6 +49,8 @@ pub(crate) struct Reader<'t> {
     inputs: HashMap<&'t str, usize>,
     states: HashMap<String, usize>,
     loads: HashMap<String, Load>,
+    /// Of joints that yield.
+    penalties: Vec<Load>,
     /// Rows of equations and drivers, whose efforts have names.
     efforts: HashMap<String, usize>,
     energies: Option<Arc<Energies>>,
@@ -79,6 +82,7 @@ pub(crate) fn read(tree: &Value, given: &HashMap<String, f64>) -> Read<Definitio
         inputs: HashMap::new(),
         states: HashMap::new(),
         loads: HashMap::new(),
+        penalties: Vec::new(),
         efforts: HashMap::new(),
         energies: None,
         bodies: Vec::new(),
@@ -104,6 +108,7 @@ pub(crate) fn read(tree: &Value, given: &HashMap<String, f64>) -> Read<Definitio
     reader.name_states()?;
     let mut loads = reader.read_loads(&rows)?;
     loads.extend(reader.read_contacts()?);
+    loads.append(&mut reader.penalties);
     reader.loads = loads.iter().map(|load| (load.name.clone(), load.clone())).collect();
     let efforts = rows.iter().enumerate().filter(|(_, row)| matches!(row.what, "equation" | "driver"));
     reader.efforts = efforts.map(|(at, row)| (row.of.clone(), at)).collect();

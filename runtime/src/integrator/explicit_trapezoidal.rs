@@ -13,8 +13,11 @@ use crate::vector::Vector;
 /// ```
 /// Internal states take the rule as velocities do: z* = z₀ + h ż₀, z₁ = z₀ + h/2 (ż₀ + ż*).
 /// Orientations turn by the incremental rotation Δθ = h/2 (ω₀ + ω₁), R₁ = R₀ R(Δθ); with the mean of the rates at both
-/// ends the order asks for no correction of it. a* damps stiff springs less than they need: h must stay below
-/// √2/ω of the fastest vibration.
+/// ends the order asks for no correction of it.
+///
+/// A vibration with ω and the damping ratio ζ is stable while z² + 4 ζ z < 4 with z = ω h (Jury's conditions on the trace and the determinant of a
+/// step, which without damping are 2 − z² + z⁴/8 and 1 − z⁴/8): h < 2 (√(1 + ζ²) − ζ)/ω. Damping of stiff springs shortens it. Below that
+/// amplitudes of undamped vibrations shrink by z⁴/16 a step. `linkwright explain` names the limit of joints that yield.
 /// Source: equations (3)–(5) of the tracked-vehicle suspension model validated on an N-post motion simulator, listed in
 /// the models' sources; Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, III.1 (PECE mode).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

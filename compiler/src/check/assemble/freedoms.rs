@@ -23,7 +23,10 @@ pub struct Mobility {
     /// Freedoms of all bodies apart from each other.
     pub apart: usize,
     pub bodies: usize,
+    /// Those that hold.
     pub joints: usize,
+    /// Those that yield, and have no equations.
+    pub yielding: Vec<String>,
     /// Gears, racks and equations.
     pub couplings: usize,
     /// Equations of all joints and couplings.
@@ -108,6 +111,7 @@ fn mobility(at: &Assembled, point: &mut Point, rank: &Rank, finding: &Finding) -
     let mut repeated = finding.repeated.clone();
     repeated.sort_unstable();
     let names = repeated.iter().map(|row| (equations.rows[*row].of.clone(), equations.rows[*row].form));
+    let yielding = mechanism.joints.iter().filter(|joint| !joint.holds());
     let at_start = velocities - rank.rank;
     let generic = match () {
         _ if rank.dependent.is_empty() || finding.coupled => at_start,
@@ -117,7 +121,8 @@ fn mobility(at: &Assembled, point: &mut Point, rank: &Rank, finding: &Finding) -
     Mobility {
         apart,
         bodies: mechanism.bodies.len(),
-        joints: mechanism.joints.len(),
+        joints: mechanism.joints.iter().filter(|joint| joint.holds()).count(),
+        yielding: yielding.map(|joint| joint.name.text.clone()).collect(),
         couplings: mechanism.constraints.len(),
         // Joints of the tree have no rows any more.
         equations: apart + rows - velocities,

@@ -331,7 +331,7 @@ fn full(basis: &[usize], twist: &[f64]) -> [Vec3; 2] {
 /// Bodies joined by `fixed`, in the order of their first.
 fn groups(mechanism: &Mechanism) -> Vec<Vec<BodyId>> {
     let mut group_of: Vec<usize> = (0..mechanism.bodies.len()).collect();
-    for joint in &mechanism.joints {
+    for joint in mechanism.joints.iter().filter(|joint| joint.holds()) {
         let (0, Frame::Body(a), Frame::Body(b)) =
             (joint.form.freedoms, joint.first.frame, joint.second.frame)
         else {

@@ -24,7 +24,8 @@ pub fn pins(mechanism: &Mechanism, point: &mut Point, q: &[f64]) -> Vec<Pin> {
     }
     let world = World::at(mechanism, point, q);
     let revolute = mechanism.joints.iter().enumerate();
-    let revolute = revolute.filter(|(_, joint)| joint.form.keeps_place && !joint.form.keeps_orientation);
+    let revolute = revolute
+        .filter(|(_, joint)| joint.holds() && joint.form.keeps_place && !joint.form.keeps_orientation);
     let pin = |(index, joint): (usize, &Joint)| {
         let [x, y, _] = world.place(&joint.first)?;
         Some(Pin { joint: JointId(index), links: [joint.first.frame, joint.second.frame], at: [x, y] })

@@ -7,6 +7,7 @@
 use super::point::{Ancestry, Point, retract};
 use crate::equations::{Condition, Equations};
 use crate::forms::row::Measures;
+use crate::model::Coordinate;
 use crate::solve::table::{Numeric, Table};
 
 /// The problem, set up once for all attempts.
@@ -59,7 +60,8 @@ impl<'a> Problem<'a> {
         let jets = rows.iter().map(|row| &equations.rows[*row].jet);
         let held = conditions.iter().chain(&guesses).map(|(condition, _)| &condition.jet);
         let upright = equations.rows.iter().filter_map(|row| row.upright);
-        let mut nodes: Vec<_> = upright.collect();
+        let closings = conditions.iter().filter(|(condition, _)| is_closing(condition));
+        let mut nodes: Vec<_> = upright.chain(closings.map(|(condition, _)| condition.upright)).collect();
         for jet in jets.chain(held) {
             nodes.extend(jet.columns.values().copied().chain([jet.value]));
         }
@@ -230,7 +232,10 @@ impl<'a> Problem<'a> {
             }
         }
         attempt.distance = self.guesses.iter().map(|(guess, t)| deviation(point, guess, *t).powi(2)).sum();
-        attempt.closed = attempt.residual < CLOSED;
+        // A joint that yields stands upright where it is closed, as one that holds does.
+        let mut closings = self.conditions.iter().filter(|(condition, _)| is_closing(condition));
+        attempt.closed =
+            attempt.residual < CLOSED && closings.all(|(condition, _)| point.get(condition.upright) >= 0.0);
         attempt
     }
 
@@ -240,6 +245,11 @@ impl<'a> Problem<'a> {
         point.evaluate(&self.ancestry);
         self.equations.rows.iter().position(|row| row.upright.is_some_and(|cosine| point.get(cosine) < 0.0))
     }
+}
+
+/// Whether it closes a joint that yields.
+fn is_closing(condition: &Condition) -> bool {
+    matches!(condition.coordinate, Coordinate::Closing(..))
 }
 
 /// Sizes that residuals are compared with.

@@ -74,7 +74,7 @@ fn across(mechanism: &Mechanism, joint: &Joint) -> Option<f64> {
 fn held_with(mechanism: &Mechanism, frame: Frame, without: JointId) -> Vec<Frame> {
     let joints = mechanism.joints.iter().enumerate();
     let holding: Vec<[Frame; 2]> = joints
-        .filter(|(id, joint)| JointId(*id) != without && joint.form.keeps_orientation)
+        .filter(|(id, joint)| JointId(*id) != without && joint.holds() && joint.form.keeps_orientation)
         .map(|(_, joint)| [joint.first.frame, joint.second.frame])
         .collect();
     let mut reached = vec![frame];

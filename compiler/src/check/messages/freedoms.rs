@@ -39,6 +39,9 @@ pub fn wrong_freedoms(
     if drivers > 0 && expected + drivers == found {
         text += ". Drivers are not counted: these are the freedoms that they move";
     }
+    if !mobility.yielding.is_empty() {
+        text += &format!(". {}", yielding(mobility));
+    }
     let hangs = |loose: &Loose| matches!(loose.way, Way::Floating | Way::Hanging(_));
     let missing = match loose.iter().any(hangs) {
         true => "or add the joint or gear that is missing",
@@ -50,6 +53,9 @@ pub fn wrong_freedoms(
 /// The freedoms in sentences, for those who ask.
 pub fn mobility(mobility: &Mobility) -> String {
     let mut text = format!("{}; {}.", freedoms(mobility.generic), counted(mobility));
+    if !mobility.yielding.is_empty() {
+        text += &format!(" {}.", yielding(mobility));
+    }
     for (of, row) in &mobility.redundant {
         text += &format!(" \"{of}\" repeats what others fix: {}.", row.prevents);
     }
@@ -57,6 +63,12 @@ pub fn mobility(mobility: &Mobility) -> String {
         text += &format!(" {}.", capital(reason));
     }
     text
+}
+
+/// `Joints that yield take no freedoms away: "knee"`
+fn yielding(mobility: &Mobility) -> String {
+    let names: Vec<String> = mobility.yielding.iter().map(|name| format!("\"{name}\"")).collect();
+    format!("Joints that yield take no freedoms away: {}", names.join(", "))
 }
 
 /// `Grübler's count is 6 freedoms of 2 bodies less 4 equations of 2 joints, 2`

@@ -135,7 +135,7 @@ fn pushing(mechanism: &Mechanism, input: &Range) -> Vec<Pushing> {
     let joints: Vec<(JointId, &Joint)> =
         mechanism.joints.iter().enumerate().map(|(index, joint)| (JointId(index), joint)).collect();
     let on = |frame: Frame| joints.iter().filter(move |(_, joint)| other(joint, frame).is_some());
-    let is_pin = |joint: &Joint| joint.form.keeps_place && !joint.form.keeps_orientation;
+    let is_pin = |joint: &Joint| joint.holds() && joint.form.keeps_place && !joint.form.keeps_orientation;
     let first = joint_of(input).and_then(|joint| other(&mechanism.joints[joint.0], Frame::Ground));
     let away = distances(mechanism, first);
     let mut found = Vec::new();

@@ -260,6 +260,7 @@ fn in_line(mechanism: &Mechanism, point: &mut Point, q: &[f64], of: &Coordinate)
         | Coordinate::Direction(..)
         | Coordinate::Turn(..)
         | Coordinate::Mode(..)
+        | Coordinate::Closing(..)
         | Coordinate::Deviation(..) => None,
     };
     pins::in_line(mechanism, &pins::pins(mechanism, point, q), own)

@@ -9,6 +9,7 @@ mod expression;
 mod force;
 mod hysteresis;
 mod masing;
+pub mod penalty;
 mod push;
 mod shaft;
 mod spring;
@@ -18,6 +19,7 @@ mod torsion_spring;
 
 pub use contact::{LOAD as CONTACT, grips, guards, strikes};
 pub use hysteresis::Inner;
+pub use penalty::LOAD as PENALTY;
 pub use torque::CALL as TORQUE;
 
 use super::jet::Moving;
@@ -68,7 +70,7 @@ pub fn of_space(space: Space) -> impl Iterator<Item = &'static LoadKind> {
 /// The load with a form, which is one of the lists' own.
 pub fn of(form: &'static LoadForm) -> &'static LoadKind {
     let named = [Space::Planar, Space::Spatial].into_iter().flat_map(of_space);
-    let mut all = named.chain(std::iter::once(&contact::LOAD));
+    let mut all = named.chain([&contact::LOAD, &penalty::LOAD]);
     all.find(|load| std::ptr::eq(&load.form, form)).expect("forms come from the lists")
 }
 

@@ -9,11 +9,12 @@ use super::joints::{self, Wrench};
 use super::kinematics::{GROUND, Kinematics, LocalVector, Placement, Position, TurningFrame};
 use super::vector::{self, Pair};
 use crate::equations::laws::Laws;
+use crate::equations::loads::penalty;
 use crate::equations::rows::multipliers_of_joints;
 use crate::equations::spanning_tree::SpanningTree;
 use crate::equations::{BodyMotion, Row, loads};
 use crate::forms::RowForm;
-use crate::model::Frame;
+use crate::model::{Frame, JointId};
 use crate::symbolic::{Node, On, Scalar};
 
 /// Motion of a body: centre of mass x, y; cos, sin of its orientation; their velocities and accelerations.
@@ -123,6 +124,13 @@ pub fn reactions<'g>(
         };
         let wrench = joints::reaction(&laws.of(&moved), &mechanism.joints[joint], lambda);
         wrenches[joint] = wrench.map(|part| g.on(part.bare));
+    }
+
+    for (index, joint) in mechanism.joints.iter().enumerate().filter(|(_, joint)| !joint.holds()) {
+        let yielding = penalty::yielding(laws, JointId(index));
+        let lambda = |form: &RowForm| Some(yielding.iter().find(|it| it.row.form == form)?.multiplier);
+        let wrench = joints::reaction(&laws.of(&moved), joint, lambda);
+        wrenches[index] = wrench.map(|part| g.on(part.bare));
     }
 
     // What each body needs from the joint it hangs on: m a − applied + what its children need.

@@ -9,8 +9,9 @@ use super::flexible::{self, Flexible, Spread};
 use super::kinematics::Kinematics;
 use super::links::{GROUND, Link, Motion, Placement};
 use super::vector::{self, Mat3, Vec3};
+use crate::equations::loads::penalty;
 use crate::equations::{BodyMotion, Consequences, Jet, Laws, Row, RowOfJoint, SpanningTree, loads};
-use crate::model::{BodyId, Frame};
+use crate::model::{BodyId, Frame, JointId};
 use crate::symbolic::{Node, On, Scalar};
 use std::collections::BTreeMap;
 
@@ -166,18 +167,26 @@ fn reactions<'g>(
     let (g, mechanism) = (absolute.g, absolute.mechanism);
     let zero = vector::zero(g);
     let mut wrenches = vec![vec![zero.bare[0]; FREEDOMS]; mechanism.joints.len()];
-    for (joint, own_rows) in crate::equations::rows::multipliers_of_joints(rows) {
+    let mut exerts = |joint: usize, rows: &[(&Jet, Scalar<'g>)]| {
         let definition = &mechanism.joints[joint];
         let (frame, sign) = match definition.second.frame {
             Frame::Ground => (definition.first.frame, false),
             second => (second, true),
         };
-        let Frame::Body(body) = frame else { continue };
+        let Frame::Body(body) = frame else { return };
         let mut load = Load { force: zero, moment: zero };
-        for row in own_rows {
-            load.add_row(&motions[body.0], body.0, &absolute_rows[row].jet, -g.on(multipliers[row]));
+        for (jet, multiplier) in rows {
+            load.add_row(&motions[body.0], body.0, jet, -*multiplier);
         }
         wrenches[joint] = load.at_second(absolute, motions, joint, body.0, sign);
+    };
+    for (joint, own) in crate::equations::rows::multipliers_of_joints(rows) {
+        let rows = own.iter().map(|row| (&absolute_rows[*row].jet, g.on(multipliers[*row])));
+        exerts(joint, &rows.collect::<Vec<_>>());
+    }
+    for index in (0..mechanism.joints.len()).filter(|joint| !mechanism.joints[*joint].holds()) {
+        let yielding = penalty::yielding(absolute, JointId(index));
+        exerts(index, &yielding.iter().map(|it| (&it.row.jet, it.multiplier)).collect::<Vec<_>>());
     }
 
     // What each body needs from the joint it hangs on: m a − applied + what its children need.

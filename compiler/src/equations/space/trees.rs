@@ -33,7 +33,7 @@ pub fn fewest_freedoms(mechanism: &Mechanism) -> SpanningTree {
         let mut best: Option<(Key, JointId, BodyId, Frame)> = None;
         for (index, joint) in mechanism.joints.iter().enumerate() {
             let id = JointId(index);
-            if cut.contains(&id) || joints::of(joint.form).motions.is_none() {
+            if cut.contains(&id) || !joint.holds() || joints::of(joint.form).motions.is_none() {
                 continue;
             }
             for (near, far) in
@@ -82,7 +82,7 @@ pub fn absolute_operations(mechanism: &Mechanism) -> usize {
     let n = BODY * mechanism.bodies.len();
     let mut entries = Vec::new();
     let mut rows = 0;
-    for joint in &mechanism.joints {
+    for joint in mechanism.joints.iter().filter(|joint| joint.holds()) {
         // Components of a distance move with one linear velocity of each body and all angular ones; the rest is turned.
         let components = if joint.form.keeps_place { 3 } else { 0 };
         for row in 0..6 - joint.form.freedoms {

@@ -372,7 +372,7 @@ impl<'d> Lowering<'d> {
     }
 
     /// Which of these words an argument is.
-    pub(super) fn word_of(&mut self, entry: &'d syntax::Entry, known: &[&str]) -> Option<usize> {
+    pub(in crate::model) fn word_of(&mut self, entry: &'d syntax::Entry, known: &[&str]) -> Option<usize> {
         let word = match (&entry.value.kind, &entry.unit) {
             // Within a part names have its own in front.
             (TermKind::Name(path), None) => path.text.rsplit('.').next().unwrap_or_default(),

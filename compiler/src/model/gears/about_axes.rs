@@ -44,7 +44,8 @@ fn against(mechanism: &Mechanism, orientations: &Orientations, frame: Frame, oth
     if orientations.class(frame).0 == orientations.class(other).0 {
         return Some((Vec::new(), None));
     }
-    mechanism.joints.iter().enumerate().find_map(|(index, joint)| {
+    let holding = mechanism.joints.iter().enumerate().filter(|(_, joint)| joint.holds());
+    holding.into_iter().find_map(|(index, joint)| {
         let ends = [joint.first.frame, joint.second.frame];
         let sign = match ends {
             [a, b] if a == other && b == frame => 1.0,

@@ -29,7 +29,7 @@ pub fn pinned(mechanism: &Mechanism, place: &Place) -> Vec<Known> {
     while at < found.len() {
         let here = found[at];
         at += 1;
-        for joint in mechanism.joints.iter().filter(|joint| joint.form.keeps_place) {
+        for joint in mechanism.joints.iter().filter(|joint| joint.holds() && joint.form.keeps_place) {
             let ends = [known(mechanism, &joint.first), known(mechanism, &joint.second)];
             let [Some(first), Some(second)] = ends else { continue };
             for (near, far) in [(first, second), (second, first)] {
@@ -73,7 +73,7 @@ pub struct Orientations {
 impl Orientations {
     pub fn of(mechanism: &Mechanism) -> Self {
         let mut of: Vec<(usize, f64)> = (0..=mechanism.bodies.len()).map(|index| (index, 0.0)).collect();
-        for joint in mechanism.joints.iter().filter(|joint| joint.form.keeps_orientation) {
+        for joint in mechanism.joints.iter().filter(|joint| joint.holds() && joint.form.keeps_orientation) {
             let Some(angle) = turned(mechanism, joint) else { continue };
             let [(a, of_a), (b, of_b)] =
                 [joint.first.frame, joint.second.frame].map(|frame| of[index(frame)]);

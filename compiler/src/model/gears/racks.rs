@@ -115,7 +115,7 @@ fn rail(wheels: &Wheels, pinion: usize) -> Option<Stand> {
     let pinned = holding::pinned(mechanism, &wheel.center);
     pinned.into_iter().filter(|(frame, _)| *frame != wheels.own[pinion]).find_map(|(carrier, center)| {
         mechanism.joints.iter().enumerate().find_map(|(index, joint)| {
-            if !joint.form.keeps_orientation || joint.form.travels.len() != 1 {
+            if !joint.holds() || !joint.form.keeps_orientation || joint.form.travels.len() != 1 {
                 return None;
             }
             let ray = rays.iter().find(|ray| {
@@ -156,7 +156,7 @@ fn carried(mechanism: &Mechanism, own: Ray) -> Vec<Ray> {
     while next < found.len() {
         let here = found[next];
         next += 1;
-        let fixed = |joint: &&Joint| joint.form.keeps_place && joint.form.keeps_orientation;
+        let fixed = |joint: &&Joint| joint.holds() && joint.form.keeps_place && joint.form.keeps_orientation;
         for joint in mechanism.joints.iter().filter(fixed) {
             let ends = [plain(mechanism, &joint.first), plain(mechanism, &joint.second)];
             let ([Some(first), Some(second)], Some(angle)) = (ends, holding::turned(mechanism, joint)) else {

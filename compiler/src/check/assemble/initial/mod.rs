@@ -137,6 +137,7 @@ impl Stated {
                 | Coordinate::Square(..)
                 | Coordinate::Direction(..)
                 | Coordinate::Turn(..)
+                | Coordinate::Closing(..)
                 | Coordinate::Deviation(..) => {}
             }
         }

@@ -170,6 +170,18 @@ impl<'g> Ends<'g> {
         (sine, cosine)
     }
 
+    /// Δ along the axes of the world; where the joint yields, of what its first place belongs to.
+    fn apart(&self, laws: &Laws<'g>) -> [Moving<'g>; 2] {
+        if self.joint.holds() {
+            return self.in_world(laws);
+        }
+        let (one, zero) = (laws.g.one().bare, laws.g.zero().bare);
+        [[one, zero], [zero, one]].map(|axis| {
+            let (frame, axis) = laws.plane().carried_by(self.first, laws.g.on(axis));
+            laws.plane().project(frame, axis, &self.delta.bare)
+        })
+    }
+
     /// Δ in world axes.
     fn in_world(&self, laws: &Laws<'g>) -> [Moving<'g>; 2] {
         laws.plane().world(&self.delta.bare)

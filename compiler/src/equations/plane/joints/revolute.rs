@@ -35,7 +35,7 @@ pub static JOINT: PlanarJoint = PlanarJoint {
 };
 
 pub fn rows(laws: &Laws, ends: &Ends) -> Vec<JointRow> {
-    let [x, y] = ends.in_world(laws);
+    let [x, y] = ends.apart(laws);
     vec![JointRow::new(&GAP[0], -x), JointRow::new(&GAP[1], -y)]
 }
 

@@ -99,8 +99,22 @@ pub fn frames<'g>(laws: &Laws<'g>, joint: &Joint) -> Vec<On<'g, Mat3>> {
 /// Constraint rows of a joint that carries nothing.
 pub fn rows(laws: &Laws, tree: &SpanningTree, id: JointId) -> Vec<JointRow> {
     let joint = &laws.mechanism.joints[id.0];
-    let Some(ends) = Ends::of(laws, tree, id) else { return Vec::new() };
-    (of(joint.form).rows)(laws, &ends)
+    rows_seen_from(laws, id, view::seen_from(laws.mechanism, tree, joint))
+}
+
+/// The rows in whose place a load acts: seen from what the first place belongs to, or from the ground if that is a particle.
+pub fn rows_that_yield<'g>(laws: &Laws<'g>, id: JointId) -> Vec<JointRow> {
+    let first = laws.mechanism.joints[id.0].first.frame;
+    let turns = |frame: Frame| match frame {
+        Frame::Ground => true,
+        Frame::Body(body) => laws.mechanism.bodies[body.0].form.turns,
+    };
+    rows_seen_from(laws, id, if turns(first) { first } else { Frame::Ground })
+}
+
+fn rows_seen_from(laws: &Laws, id: JointId, seen_from: Frame) -> Vec<JointRow> {
+    let Some(ends) = Ends::of(laws, id, seen_from) else { return Vec::new() };
+    (of(laws.mechanism.joints[id.0].form).rows)(laws, &ends)
 }
 
 /// The two ends of a joint in motion.
@@ -118,13 +132,12 @@ pub struct Ends<'g> {
 }
 
 impl<'g> Ends<'g> {
-    fn of(laws: &Laws<'g>, tree: &SpanningTree, id: JointId) -> Option<Self> {
+    fn of(laws: &Laws<'g>, id: JointId, seen_from: Frame) -> Option<Self> {
         let joint = &laws.mechanism.joints[id.0];
         let kinematics = laws.space()?;
         let (first, second) = (kinematics.spot(laws, &joint.first), kinematics.spot(laws, &joint.second));
         let frame = frames(laws, joint)[0];
         let (e1, e2) = (first.axes * frame, second.axes * frame);
-        let seen_from = view::seen_from(laws.mechanism, tree, joint);
         Some(Ends { id, joint, kinematics, first, second, e1, e2, seen_from })
     }
 

@@ -40,6 +40,7 @@ fn terms<'g>(laws: &Laws<'g>, load: &Load) -> LoadTerms<'g> {
         | Subject::Rotor(_)
         | Subject::Travel(_)
         | Subject::Bearing(..)
+        | Subject::Joint(_)
         | Subject::Touches(_)
         | Subject::Expression(..)
         | Subject::Toothing(_) => None,
