@@ -76,7 +76,7 @@ SECTIONS = [
     ("Contact and friction", ["bouncing_ball", "falling_cross", "hammer_at_wall", "loose_wrist",
         "cam_lift_off", "geared_shafts", "ball_between_walls", "hammer_at_rigid_wall", "slider_crank_on_stop", "rimless_wheel", "woodpecker",
         "rod_on_pin", "rubbing_four_bar", "rolling",
-        "rubbing_block", "held_block", "stick_slip", "lugre_block"]),
+        "rubbing_block", "held_block", "stick_slip", "lugre_block", "penalty_chain"]),
     ("Flexible bodies", ["flexible_quick_return", "flexible_slider_crank", "flexible_pendulum", "spinning_beam", "flexible_arm", "laval_rotor", "princeton_beam"]),
     ("Pendulums and tops", []),
 ]

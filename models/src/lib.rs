@@ -46,6 +46,7 @@ pub mod lugre_block;
 pub mod motor_gear_load;
 pub mod n_four_bar;
 pub mod panda;
+pub mod penalty_chain;
 pub mod planetary_gear_train;
 pub mod planetary_stage;
 pub mod princeton_beam;
@@ -188,6 +189,7 @@ macro_rules! for_each_model {
             rubbing_four_bars: $crate::rubbing_four_bar::RubbingFourBars,
             sliding_disk: $crate::rolling::SlidingDisk,
             sliding_ball: $crate::rolling::SlidingBall,
+            penalty_chain: $crate::penalty_chain::PenaltyChain,
             rubbing_block: $crate::rubbing_block::RubbingBlock,
             stribeck_brake: $crate::rubbing_block::StribeckBrake,
         }

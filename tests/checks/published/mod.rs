@@ -21,6 +21,7 @@ mod linkages;
 mod meshes;
 mod modal;
 mod parts;
+mod penalties;
 mod planets;
 mod quick_return;
 mod robots;

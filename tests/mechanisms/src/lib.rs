@@ -21,6 +21,7 @@ pub mod zoo_laws;
 pub mod zoo_meshes;
 pub mod zoo_modal;
 pub mod zoo_parts;
+pub mod zoo_penalties;
 pub mod zoo_profiles;
 pub mod zoo_rubbing;
 pub mod zoo_rubbing_beams;
