@@ -68,6 +68,8 @@ pub struct Joint {
     pub carries: Option<String>,
     /// Whether a penalty acts in place of its rows.
     pub yields: bool,
+    /// Whether it has play, and a contact does.
+    pub play: bool,
 }
 
 /// All that `explain` tells.
@@ -261,7 +263,8 @@ fn joints(compiled: &Compiled) -> Vec<Joint> {
         kind: joint.word(),
         places: [joint.first.text.clone(), joint.second.text.clone()],
         carries: carries(index),
-        yields: !joint.holds(),
+        yields: joint.penalty.is_some(),
+        play: joint.loose.is_some(),
     };
     mechanism.joints.iter().enumerate().map(joint).collect()
 }

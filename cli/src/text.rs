@@ -91,6 +91,7 @@ fn beam(of: &Beam) -> Vec<String> {
 fn joint(e: &Explanation, joint: &Joint) -> Vec<String> {
     let part = match &joint.carries {
         Some(body) => format!("carries {body}"),
+        None if joint.play => "has play".to_string(),
         None if joint.yields => "yields".to_string(),
         None if e.coordinates == "tree" => "closes a loop".to_string(),
         None => String::new(),

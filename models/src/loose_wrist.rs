@@ -15,18 +15,16 @@ linkwright::mechanism! {
         material steel { modulus [Pa] = 207e9; poisson = 0.3; }
 
         rod crank { mass [kg] = 0.3; length [m] = 0.05; }
-        body rod { mass [kg] = 0.21; inertia [kg*m^2] = 2.5e-4; point big [m] = (-0.06, 0); point small [m] = (0.06, 0);
-                   surface hole: hole(rod.small, radius [mm] = 10); }
-        body slider { mass [kg] = 0.14; inertia [kg*m^2] = 1e-5;
-                      surface pin: circle(slider.center, radius = 10 [mm] - play); }
+        body rod { mass [kg] = 0.21; inertia [kg*m^2] = 2.5e-4; point big [m] = (-0.06, 0); point small [m] = (0.06, 0); }
+        body slider { mass [kg] = 0.14; inertia [kg*m^2] = 1e-5; }
 
         joint main: revolute(ground(0, 0) [m], crank.start);
         joint crank_pin: revolute(crank.end, rod.big);
         joint rail: prismatic(ground(0, 0) [m], slider.center, axis = (1, 0));
         drive motor: main.angle = SPEED*time;
-        contact wrist: between(slider.pin, rod.hole) = hertz(first = steel, second = steel, dissipation [s/m] = 20);
+        joint wrist: revolute(rod.small, slider.center, play = play, radius [mm] = 10) = hertz(first = steel, second = steel, dissipation [s/m] = 20);
 
-        start { crank_pin.angle [rad] = 0; rod.rate = -SPEED*0.05/0.12; rail.travel [m] = 0.17; rail.speed [m/s] = 0; }
+        start { crank_pin.angle [rad] ~ 0; rail.travel [m] ~ 0.17; }
         expect { degrees_of_freedom = 3; }
         output angle [rad] = rod.angle;
         output travel [m] = rail.travel;

@@ -25,6 +25,10 @@ def all_loads(definition):
     return [load["name"] for load in definition["loads"]] + touching + [joint["name"] for joint in penalties.written(definition)]
 
 
+# What expressions name of a contact; a joint with play has a contact of its name.
+QUANTITIES = ("gap", "depth", "closing", "force", "point", "sliding")
+
+
 def find(definition, name):
     return next((contact for contact in definition.get("contacts", []) if contact["name"] == name), None)
 

@@ -138,7 +138,8 @@ class Kinematics:
         owner, _, quantity = text.rpartition(".")
         whole, _, part = owner.rpartition(".")
         for touching, what in ((owner, quantity), (whole, f"{part}.{quantity}")):
-            if contacts.find(model.definition, touching):
+            joint = model.joints.get(touching)
+            if contacts.find(model.definition, touching) and (joint is None or what.partition(".")[0] in contacts.QUANTITIES):
                 return self.contacts.quantity(touching, what)
         if owner in model.signals and owner not in model.joints and owner not in model.bodies:
             return self.rate(entry(model.signals[owner], self))
@@ -152,6 +153,12 @@ class Kinematics:
         drivers = [driver["name"] for driver in model.definition["drivers"]]
         if owner in drivers and quantity in ("effort", "power"):
             return self._of_driver(drivers.index(owner), quantity)
+        if whole in model.joints and part == "offset":
+            first, second = model.joints[whole].first, model.joints[whole].second
+            return self.displacement(first, second)[0][self.axes.index(quantity)]
+        if owner in model.joints and quantity == "eccentricity":
+            joint = model.joints[owner]
+            return ca.norm_2(self.position(joint.second) - self.position(joint.first))
         if owner in model.joints:
             return self._of_joint(owner, quantity)
         body, _, mode = owner.rpartition(".")
@@ -234,7 +241,8 @@ class Kinematics:
 
     def yields(self, name):
         """Whether forces act in place of the joint's rows."""
-        return penalties.find(self.model.definition, name) is not None
+        joint = next(joint for joint in self.model.definition["joints"] if joint["name"] == name)
+        return bool(joint.get("penalty") or joint.get("play"))
 
     def joint_rows(self, joint):
         p1, p2 = self.position(joint.first), self.position(joint.second)

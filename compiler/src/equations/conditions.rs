@@ -6,7 +6,7 @@ use super::jet::Jet;
 use super::laws::Laws;
 use super::rows::{JointRow, that_yield};
 use crate::forms::RowForm;
-use crate::model::{Coordinate, JointId, Mechanism, Rotor, StartOrientation};
+use crate::model::{Coordinate, Joint, JointId, Mechanism, Place, Rotor, StartOrientation};
 use crate::symbolic::{Class, Node};
 
 /// One coordinate as a row beside the constraints.
@@ -172,14 +172,27 @@ pub fn row_of(laws: &Laws, joint: JointId, form: &RowForm) -> Option<JointRow> {
     that_yield(laws, joint).into_iter().find(|row| row.form == form)
 }
 
+/// Whether `start` says where a joint with play stands in it.
+fn is_placed(mechanism: &Mechanism, joint: &Joint) -> bool {
+    let between = |ends: &[Place; 2]| {
+        ends[0].at == joint.first.at
+            && ends[1].at == joint.second.at
+            && ends[0].frame == joint.first.frame
+            && ends[1].frame == joint.second.frame
+    };
+    let says = |coordinate: &Coordinate| matches!(coordinate, Coordinate::Way(ends, _) if between(ends));
+    joint.loose.is_some() && mechanism.start.iter().any(|start| says(&start.coordinate))
+}
+
 /// The conditions of `start`, in order of first mention; joints that yield are closed there, and stand still.
 pub fn start_conditions(laws: &Laws) -> Conditions {
     let mut conditions = Conditions::default();
     let zero = laws.g.zero().bare;
-    for id in (0..laws.mechanism.joints.len()).filter(|id| !laws.mechanism.joints[*id].holds()) {
+    for (id, joint) in laws.mechanism.joints.iter().enumerate().filter(|(_, joint)| !joint.holds()) {
+        let position = (!is_placed(laws.mechanism, joint)).then_some(zero);
         for row in that_yield(laws, JointId(id)) {
             let closing = condition(laws, &Coordinate::Closing(JointId(id), row.form));
-            conditions.push(closing, StartTarget { position: Some(zero), rate: Some(zero) });
+            conditions.push(closing, StartTarget { position, rate: Some(zero) });
         }
     }
     for start in laws.mechanism.start.iter().filter(|start| start.exact) {

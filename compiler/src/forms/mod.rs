@@ -8,6 +8,7 @@ mod contact;
 mod coupling;
 mod joint;
 mod load;
+mod loose;
 pub mod row;
 mod table;
 mod toothing;
@@ -17,6 +18,7 @@ pub use contact::{CONTACT_LAWS, ContactLaw, ContactLawForm, SURFACES, SurfaceFor
 pub use coupling::{CouplingForm, Factor, Means, Proportion};
 pub use joint::{Alone, Bearing, Freer, Given, JointAxes, JointForm, OfParticle, Spans, degrees_between};
 pub use load::{Acts, Law, LoadForm, Owned, Written};
+pub use loose::{LOOSE, LooseForm};
 pub use row::{Measures, RowForm};
 pub use table::{Interpolation, Outside};
 pub use toothing::{INVOLUTE, Rim, ToothingForm};

@@ -186,6 +186,26 @@ pub(crate) fn quantities_of_contact(name: &str, space: Space) -> String {
     format!("a contact has `{name}.gap`, `.depth`, `.closing`, `.force`, {axes}, and `power({name})`")
 }
 
+pub(crate) fn play_of_joint(kind: &str, space: Space) -> String {
+    let instead = match space {
+        Space::Planar => {
+            "a `revolute` has, `joint pin: revolute(place, place, play [mm] = 0.5, radius [mm] = 10) = hertz(…);`"
+        }
+        Space::Spatial => {
+            "a `spherical` has, `joint ball: spherical(place, place, play [mm] = 0.5, radius [mm] = 10) = hertz(…);`"
+        }
+    };
+    format!(
+        "there is no short form of a `{kind}` with play; {instead}. Elsewhere surfaces with a gap between them and a `contact` say it"
+    )
+}
+
+pub(crate) fn reaction_of_loose(joint: &str) -> String {
+    format!(
+        "`{joint}` has play and holds nothing by itself: its surfaces push with `{joint}.force`, at `{joint}.point`"
+    )
+}
+
 pub(crate) fn play_of_nothing(name: &str) -> String {
     format!(
         "the play of `{name}` is the whole gap in which it moves freely, more than zero: leave it out where there is none"

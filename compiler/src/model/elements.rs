@@ -20,12 +20,14 @@ pub struct Joint {
     pub scalars: Vec<Expr>,
     /// The load that acts in place of its rows.
     pub penalty: Option<LoadId>,
+    /// The contact between its surfaces, where it has play.
+    pub loose: Option<LoadId>,
 }
 
 impl Joint {
     /// Whether it has rows or carries a body, and no load yields in their place.
     pub fn holds(&self) -> bool {
-        self.penalty.is_none()
+        self.penalty.is_none() && self.loose.is_none()
     }
 
     /// As written.

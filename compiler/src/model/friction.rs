@@ -12,9 +12,11 @@ use crate::units::Dimension;
 impl<'d> Lowering<'d> {
     /// A joint or contact whose surfaces slide on each other.
     pub(super) fn bearing(&mut self, label: &'d Label) -> Option<Subject> {
+        if let Some(index) = self.contact_named(&label.text) {
+            return self.touching(index, label);
+        }
         let index = match self.names.part(&label.text) {
             Some(Part::Joint(index)) => index,
-            Some(Part::Contact(index)) => return self.touching(index, label),
             _ => {
                 let rubs = |part| matches!(part, Part::Joint(_) | Part::Contact(_));
                 let message = self.names.not_found("joint or contact", &label.text, rubs);
@@ -41,7 +43,9 @@ impl<'d> Lowering<'d> {
     pub(super) fn of_friction(&mut self, load: LoadId, path: &Path) -> Option<Found> {
         let written = &self.definition.loads[load.0];
         let joint = written.on.first().and_then(|on| match on {
-            SubjectTerm::Name(label) => self.names.part(&label.text),
+            SubjectTerm::Name(label) => {
+                self.contact_named(&label.text).map(Part::Contact).or_else(|| self.names.part(&label.text))
+            }
             SubjectTerm::Place(_) | SubjectTerm::Expression(_) => None,
         });
         let (joint, names): (_, &[&str]) = match joint {

@@ -75,12 +75,14 @@ impl<'d> Lowering<'d> {
         }
         let (first, second) = (first?, second?);
         let (name, penalty) = (name(&joint.name), self.load_of_joint(joint));
-        let lowered = Joint { name, form: joint.form, first, second, directions, scalars, penalty };
+        let loose =
+            self.contact_named(&joint.name.text).filter(|_| joint.loose).map(|it| self.load_of_contact(it));
+        let lowered = Joint { name, form: joint.form, first, second, directions, scalars, penalty, loose };
         self.refused(joint, &lowered)?;
         self.two_bodies(joint, &lowered.first, &lowered.second)?;
         self.joint_of_beam(joint, &lowered)?;
         if let Some(place) = [&lowered.first, &lowered.second].into_iter().find(|it| self.bends(it.frame))
-            && !lowered.holds()
+            && lowered.penalty.is_some()
         {
             self.diagnostics
                 .error(joint.name.region, messages::penalty_on_beam(&joint.name.text, &place.text));

@@ -94,7 +94,12 @@ impl<'d> Names<'d> {
         enter(&mut parts, &definition.constraints, |c| &c.name, Part::Constraint, diagnostics);
         enter(&mut parts, &definition.drivers, |d| &d.name, Part::Driver, diagnostics);
         enter(&mut parts, &definition.loads, |l| &l.name, Part::Load, diagnostics);
-        enter(&mut parts, &definition.contacts, |c| &c.name, Part::Contact, diagnostics);
+        // Those of joints with play have their names.
+        let contacts = definition.contacts.iter().enumerate().filter(|(_, contact)| !contact.of_joint);
+        for (index, contact) in contacts {
+            let own = std::slice::from_ref(contact);
+            enter(&mut parts, own, |c| &c.name, |_| Part::Contact(index), diagnostics);
+        }
         enter(&mut parts, &definition.uses, |u| &u.name, Part::Use, diagnostics);
         let mut surfaces = Table::new(&BUILT_IN);
         enter(&mut surfaces, &definition.surfaces, |s| &s.name, |index| index, diagnostics);

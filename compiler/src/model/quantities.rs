@@ -93,19 +93,16 @@ impl<'d> Lowering<'d> {
             self.diagnostics.error(argument.region, messages::power_of_what());
             return None;
         };
+        let contact = self.contact_named(&path.text).map(|index| self.load_of_contact(index));
+        if let Some(load) = contact.or_else(|| match self.names.part(&path.text) {
+            Some(Part::Load(index)) => Some(LoadId(index)),
+            _ => None,
+        }) {
+            self.permit(usage.results, path, "a result", usage)?;
+            let expr = Expr::Quantity(Quantity::Power(load));
+            return Some(Typed { expr, dimension: Dimension::POWER, zero: false, region });
+        }
         match self.names.part(&path.text) {
-            Some(Part::Load(index)) => {
-                self.permit(usage.results, path, "a result", usage)?;
-                let expr = Expr::Quantity(Quantity::Power(LoadId(index)));
-                Some(Typed { expr, dimension: Dimension::POWER, zero: false, region })
-            }
-            Some(Part::Contact(index)) => {
-                self.permit(usage.results, path, "a result", usage)?;
-                // Contacts come behind the other loads.
-                let load = LoadId(self.definition.loads.len() + index);
-                let expr = Expr::Quantity(Quantity::Power(load));
-                Some(Typed { expr, dimension: Dimension::POWER, zero: false, region })
-            }
             Some(Part::Driver(_)) => {
                 self.diagnostics.error(path.region, messages::power_of_driver(&path.text));
                 None
@@ -268,6 +265,9 @@ impl<'d> Lowering<'d> {
 
     fn of_joint(&mut self, joint: JointId, path: &Path) -> Option<Found> {
         let quantity = &path.parts[1];
+        if let Some(found) = self.of_play(joint, path) {
+            return found;
+        }
         if quantity.text == "reaction" {
             let part = self.reaction(joint, path)?;
             return Found::result(Quantity::Reaction(joint, part), part.dimension());
@@ -304,6 +304,34 @@ impl<'d> Lowering<'d> {
         let message = self.joint_has(joint, &quantity.text);
         self.diagnostics.error(quantity.region, message);
         None
+    }
+
+    /// What a joint with play has beyond its contact and its angle: `wrist.offset.x` from its first place to its second along the axes of the
+    /// first, `wrist.eccentricity`.
+    fn of_play(&mut self, joint: JointId, path: &Path) -> Option<Option<Found>> {
+        let term = &self.definition.joints[joint.0];
+        let FirstTerm::Place(first) = term.first.clone() else { return None };
+        let parts: Vec<&str> = path.parts[1..].iter().map(|part| part.text.as_str()).collect();
+        let axis = match (term.loose, &parts[..]) {
+            (true, ["offset", axis]) => Some(axis_of(axis, self.definition.space.dimensions())?),
+            (true, ["eccentricity"]) => None,
+            (true, ["reaction", ..]) => {
+                self.diagnostics.error(path.region, messages::reaction_of_loose(&term.name.text));
+                return Some(None);
+            }
+            _ => return None,
+        };
+        let second = term.second.clone();
+        let places = self.place(&first).zip(self.place(&second));
+        Some(places.and_then(|(first, second)| {
+            Found::position(match axis {
+                Some(axis) => {
+                    let direction = [0, 1, 2].map(|k| Expr::Number(if k == axis { 1.0 } else { 0.0 }));
+                    Coordinate::Way(Box::new([first, second]), Box::new(direction))
+                }
+                None => Coordinate::Distance(Box::new(first), Box::new(second)),
+            })
+        }))
     }
 
     /// What a joint has instead of the quantity asked for.

@@ -102,6 +102,7 @@ pub fn joints(page: &mut String, compiled: &Compiled) {
             equations.tree.attachments.iter().find(|it| it.joint.is_some_and(|(own, _)| own.0 == index));
         let part = match carried {
             Some(attachment) => format!("carries {}", code(&mechanism.bodies[attachment.body.0].name.text)),
+            None if joint.loose.is_some() => "has play".to_string(),
             None if !joint.holds() => "yields".to_string(),
             None if rows.is_empty() => "none of its rows is needed".to_string(),
             None => format!("rows {}", rows.join(", ")),

@@ -8,6 +8,7 @@ use super::definition::{
 };
 use super::expression::{is_call, number};
 use super::parser::{Failed, Parsed, Parser};
+use super::play::has_play;
 use super::token::Cursor;
 use crate::diagnostics::Region;
 use crate::forms::{
@@ -27,7 +28,7 @@ pub(super) struct Arguments {
 }
 
 impl Arguments {
-    fn place(&mut self) -> Parsed<PlaceTerm> {
+    pub(super) fn place(&mut self) -> Parsed<PlaceTerm> {
         if self.places.is_empty() { Err(Failed) } else { Ok(self.places.remove(0)) }
     }
 
@@ -44,7 +45,7 @@ impl Arguments {
         Some(self.named.entries.remove(index).1)
     }
 
-    fn required(&mut self, name: &str) -> Parsed<Entry> {
+    pub(super) fn required(&mut self, name: &str) -> Parsed<Entry> {
         self.entry(name).ok_or(Failed)
     }
 
@@ -108,6 +109,9 @@ impl Parser<'_> {
         if !c.eat_punct(':') {
             return self.expected(c, "`:` and what the joint is, such as `revolute(…);`");
         }
+        if has_play(c) {
+            return self.loose_joint(c, name);
+        }
         let joints = (self.vocabulary.joints)(self.definition.space);
         let forms: Vec<&Form> = joints.iter().map(|joint| &joint.call).collect();
         let (which, mut arguments) = self.call_of(c, &forms, "joint")?;
@@ -125,6 +129,7 @@ impl Parser<'_> {
             second,
             named: arguments.named,
             penalty,
+            loose: false,
         });
         Ok(())
     }

@@ -124,7 +124,7 @@ impl Parser<'_> {
         Ok(ExpectEntry::ContactTime(contact, self.expression(c)?))
     }
 
-    fn contact_law(&mut self, c: &mut Cursor, name: Label, on: ContactTerm) -> Parsed<()> {
+    pub(super) fn contact_law(&mut self, c: &mut Cursor, name: Label, on: ContactTerm) -> Parsed<()> {
         if !c.eat_punct('=') {
             return self.expected(c, "`=` and the law of the contact, such as `kelvin_voigt(…)`");
         }
@@ -140,7 +140,7 @@ impl Parser<'_> {
         };
         self.semicolon(c)?;
         let form = self.vocabulary.contact;
-        self.definition.contacts.push(Contact { name, form, on, law });
+        self.definition.contacts.push(Contact { name, form, on, law, of_joint: false });
         Ok(())
     }
 }

@@ -243,6 +243,8 @@ pub struct Joint {
     pub named: Named,
     /// What acts in place of its rows, `= penalty(…)`.
     pub penalty: Option<Load>,
+    /// Whether it has play: a contact of its name acts in place of its rows.
+    pub loose: bool,
 }
 
 /// The arguments of an element that were written with their names, in that order.

@@ -422,6 +422,9 @@ impl Writer {
         if let Some(penalty) = &joint.penalty {
             self.key("penalty").object(|w| w.named(&penalty.named));
         }
+        if joint.loose {
+            self.key("play").raw("true");
+        }
     }
 
     /// A line of the ground is written out, as only bodies carry lines in the file.

@@ -13,6 +13,7 @@ mod hysteresis;
 mod json;
 mod limits;
 mod look_up;
+mod loose;
 mod mistakes;
 mod parts;
 mod penalties;

@@ -133,12 +133,12 @@ fn freedoms_are_those_without_them() {
     let mobility = hung(3).expect("it compiles").assembly.mobility;
     assert_eq!((mobility.joints, mobility.equations, mobility.generic), (0, 0, 3));
     assert!(
-        mobility.to_string().ends_with("Joints that yield take no freedoms away: \"top\"."),
+        mobility.to_string().ends_with("Joints that yield or have play take no freedoms away: \"top\"."),
         "{mobility}"
     );
     let errors = hung(1).map(|_| ()).expect_err("there are three").to_string();
     assert!(errors.contains("expected 1 degree of freedom, found 3"), "{errors}");
-    assert!(errors.contains("Joints that yield take no freedoms away: \"top\""), "{errors}");
+    assert!(errors.contains("Joints that yield or have play take no freedoms away: \"top\""), "{errors}");
 }
 
 /// A particle on a spring vibrates with √(k/m), and c/(2 √(k m)) of critical damping; a body that turns about the place by

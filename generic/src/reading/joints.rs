@@ -63,11 +63,13 @@ impl<'t> Reader<'t> {
                 self.joints.push(joint);
                 continue;
             }
-            rows.extend(equations.into_iter().map(|(what, equation)| Row {
-                of: own.to_string(),
-                what,
-                equation,
-            }));
+            if optional(node, "play").is_none() {
+                rows.extend(equations.into_iter().map(|(what, equation)| Row {
+                    of: own.to_string(),
+                    what,
+                    equation,
+                }));
+            }
             self.joint_by_name.insert(own, self.joints.len());
             self.joints.push(joint);
         }
@@ -338,4 +340,15 @@ impl Joint {
 /// What turns at a place.
 fn section(place: &Place) -> Section {
     Section { body: place.body, x: (!place.of_mean).then_some(place.local[0]) }
+}
+
+/// How far the places of a joint with play are apart: along an axis of the first's, or at all.
+pub(super) fn of_play(joint: &Joint, part: Option<&str>, what: &str) -> Option<Quantity> {
+    let (first, second) = (joint.first.clone(), joint.second.clone());
+    let axis = ["x", "y", "z"].iter().position(|axis| *axis == what);
+    match (part, axis, what) {
+        (Some("offset"), Some(axis), _) => Some(Quantity::Along { axis: unit_axis(axis), first, second }),
+        (None, None, "eccentricity") => Some(Quantity::Length { first, second }),
+        _ => None,
+    }
 }

@@ -1,5 +1,6 @@
 //! Expressions of the tree to [`Law`]s: what a name means, by what may stand where it stands.
 
+use super::joints::of_play;
 use super::values::{factor, is_bare};
 use super::{Read, Reader};
 use crate::energy::Energy;
@@ -253,10 +254,18 @@ impl LawReader<'_, '_> {
         let reader = self.reader;
         let Some((owner, what)) = name.rsplit_once('.') else { return Ok(None) };
         let (touching, part) = match owner.rsplit_once('.') {
-            Some((touching, part @ ("point" | "sliding"))) => (touching, Some(part)),
+            Some((touching, part @ ("point" | "sliding" | "offset"))) => (touching, Some(part)),
             _ => (owner, None),
         };
-        if let Some(contact) = reader.contact_named(touching)? {
+        let joint = reader.joint_by_name.get(touching).map(|joint| &reader.joints[*joint]);
+        if let Some(quantity) = joint.and_then(|joint| of_play(joint, part, what)) {
+            return Ok(Some(self.leaf(quantity)));
+        }
+        let asks_contact =
+            |what: &str| ["gap", "depth", "closing", "force", "point", "sliding"].contains(&what);
+        if let Some(contact) = reader.contact_named(touching)?
+            && (joint.is_none() || asks_contact(part.unwrap_or(what)))
+        {
             return self.of_contact(contact, touching, what, part).map(Some);
         }
         if let ("effort", May::Results, Some(row)) = (what, self.may, reader.efforts.get(owner)) {

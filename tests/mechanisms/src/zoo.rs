@@ -233,6 +233,8 @@ macro_rules! for_each_in_zoo {
             block: $crate::zoo_modal::Block,
             winch: $crate::zoo_cables::Winch,
             hoisted: $crate::zoo_cables::Hoisted,
+            loose_loop: $crate::zoo_loose::LooseLoop,
+            loose_ball: $crate::zoo_loose::LooseBall,
             touching: $crate::zoo_contacts::Touching,
             bumping: $crate::zoo_contacts::Bumping,
             profiled: $crate::zoo_profiles::Profiled,

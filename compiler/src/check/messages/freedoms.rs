@@ -65,10 +65,10 @@ pub fn mobility(mobility: &Mobility) -> String {
     text
 }
 
-/// `Joints that yield take no freedoms away: "knee"`
+/// `Joints that yield or have play take no freedoms away: "knee"`
 fn yielding(mobility: &Mobility) -> String {
     let names: Vec<String> = mobility.yielding.iter().map(|name| format!("\"{name}\"")).collect();
-    format!("Joints that yield take no freedoms away: {}", names.join(", "))
+    format!("Joints that yield or have play take no freedoms away: {}", names.join(", "))
 }
 
 /// `Grübler's count is 6 freedoms of 2 bodies less 4 equations of 2 joints, 2`

@@ -125,10 +125,23 @@ impl<'d> Lowering<'d> {
         self.definition.contacts.iter().any(rigid::is_rigid)
     }
 
-    /// Which contact a quantity is of.
+    /// Which contact a quantity is of; one of a joint with play has those that joints do not have.
     pub(super) fn contact_of(&self, path: &Path) -> Option<usize> {
-        match self.names.part(&path.parts[0].text) {
-            Some(Part::Contact(index)) if path.parts.len() > 1 => Some(index),
+        let [head, quantity, ..] = &path.parts[..] else { return None };
+        match self.names.part(&head.text) {
+            Some(Part::Joint(_)) if !QUANTITIES.contains(&quantity.text.as_str()) => None,
+            _ => self.contact_named(&head.text),
+        }
+    }
+
+    /// A contact, or that of a joint with play.
+    pub(super) fn contact_named(&self, name: &str) -> Option<usize> {
+        match self.names.part(name)? {
+            Part::Contact(index) => Some(index),
+            Part::Joint(index) if self.definition.joints[index].loose => {
+                let own = |contact: &syntax::Contact| contact.of_joint && contact.name.text == name;
+                self.definition.contacts.iter().position(own)
+            }
             _ => None,
         }
     }
@@ -256,7 +269,7 @@ impl<'d> Lowering<'d> {
 
     /// `contact_time(touch) >= 1e-3 [s]`
     pub(super) fn contact_time(&mut self, path: &Path, time: &syntax::Term) -> Option<ContactTime> {
-        let Some(Part::Contact(index)) = self.names.part(&path.text) else {
+        let Some(index) = self.contact_named(&path.text) else {
             let message =
                 self.names.not_found("contact", &path.text, |part| matches!(part, Part::Contact(_)));
             self.diagnostics.error(path.region, message);

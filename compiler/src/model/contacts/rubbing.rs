@@ -71,7 +71,7 @@ impl<'d> Lowering<'d> {
     }
 
     /// Contacts come behind the other loads.
-    pub(super) fn load_of_contact(&self, index: usize) -> LoadId {
+    pub(in crate::model) fn load_of_contact(&self, index: usize) -> LoadId {
         LoadId(self.definition.loads.len() + index)
     }
 

@@ -30,6 +30,8 @@ pub struct Contact {
     pub form: &'static LoadForm,
     pub on: ContactTerm,
     pub law: ContactLawTerm,
+    /// Whether it is that of a joint with play, whose name it has.
+    pub of_joint: bool,
 }
 
 /// What touches.

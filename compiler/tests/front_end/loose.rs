@@ -1,0 +1,122 @@
+//! Joints with play: what they are short for, how they start, one message for each mistake.
+
+use crate::bad;
+use linkwright_compiler::compile;
+use linkwright_compiler::schedule::{Function, Inputs, run};
+
+/// A slider-crank with these statements and this start.
+fn wrist(statements: &str, start: &str) -> String {
+    format!(
+        "#[allow(penetration)] planar Wrist {{ rod crank {{ mass [kg] = 0.3; length [m] = 0.05; }}
+         body rod {{ mass [kg] = 0.21; inertia [kg*m^2] = 2.5e-4; point big [m] = (-0.06, 0); point small [m] = (0.06, 0); }}
+         body slider {{ mass [kg] = 0.14; inertia [kg*m^2] = 1e-5; }}
+         joint main: revolute(ground(0, 0) [m], crank.start); joint crank_pin: revolute(crank.end, rod.big);
+         joint rail: prismatic(ground(0, 0) [m], slider.center, axis = (1, 0));
+         {statements} start {{ main.angle [rad] = 0.7; main.rate [rad/s] = 9; {start} }} }}"
+    )
+}
+
+const LAW: &str = "kelvin_voigt(stiffness [N/m] = 1e6, damping [N*s/m] = 30)";
+
+fn compiled(source: &str) -> linkwright_compiler::Compiled {
+    compile(source.parse().expect("tokens"), None).unwrap_or_else(|found| panic!("{found}"))
+}
+
+/// The same programs as of a circle in a hole.
+#[test]
+fn a_pin_with_play_is_a_circle_in_a_hole() {
+    let short = format!(
+        "joint wrist: revolute(rod.small, slider.center, play [mm] = 0.5, radius [mm] = 10) = {LAW};"
+    );
+    let long = format!(
+        "surface hole: hole(rod.small, radius [mm] = 10); surface pin: circle(slider.center, radius = 10 [mm] - 0.5 [mm]);
+         contact wrist: between(pin, hole) = {LAW};"
+    );
+    let rest = "friction rub: on(wrist) = coulomb(coefficient = 0.2, speed [m/s] = 0.1); output pushed [N] = wrist.force; output lost [W] = power(wrist);";
+    let start = "crank_pin.angle [rad] ~ -1; rail.travel [m] ~ 0.16;";
+    let [short, long] = [short, long].map(|it| compiled(&wrist(&format!("{it} {rest}"), start)));
+    for function in [Function::Forces, Function::Outputs, Function::Acceleration] {
+        let [short, long] = [&short, &long].map(|it| format!("{:?}", it.programs.get(function)));
+        assert_eq!(short, long);
+    }
+    assert_eq!(short.assembly.mobility.generic, 3);
+    assert!(
+        short.assembly.mobility.to_string().contains("yield or have play take no freedoms away: \"wrist\"")
+    );
+}
+
+/// Centres are together, at the rates of the joint, or where `start` says.
+#[test]
+fn where_a_loose_joint_starts() {
+    let loose = format!(
+        "joint wrist: revolute(rod.small, slider.center, play [mm] = 0.5, radius [mm] = 10) = {LAW};"
+    );
+    let firm = "joint wrist: revolute(rod.small, slider.center);";
+    let start = "crank_pin.angle [rad] ~ -1; rail.travel [m] ~ 0.16;";
+    let outputs = "output travel [m] = rail.travel; output speed [m/s] = rail.speed; output angle [rad] = rod.angle; output rate [rad/s] = rod.rate;";
+    let of = |joint: &str, start: &str, more: &str| {
+        let compiled = compiled(&wrist(&format!("{joint} {outputs} {more}"), start));
+        let inputs = Inputs {
+            q: compiled.assembly.q.clone(),
+            v: compiled.assembly.v.clone(),
+            parameters: Vec::new(),
+            ..Inputs::default()
+        };
+        let prepared = run(compiled.programs.get(Function::Prepare), &inputs);
+        run(compiled.programs.get(Function::Outputs), &Inputs { prepared, ..inputs })
+    };
+    let (firm, held) = (of(firm, start, ""), of(&loose, start, "output off [m] = wrist.eccentricity;"));
+    for (firm, loose) in firm.iter().zip(&held) {
+        assert!((firm - loose).abs() < 1e-9, "{firm} {loose}");
+    }
+    assert!(held[4] < 1e-12, "{}", held[4]);
+    let off = of(
+        &loose,
+        &format!("{start} wrist.offset.x [mm] = 0.3; wrist.offset.y [mm] = -0.2;"),
+        "output x [mm] = wrist.offset.x; output y [mm] = wrist.offset.y;",
+    );
+    assert!((off[4] - 3e-4).abs() < 1e-10 && (off[5] + 2e-4).abs() < 1e-10, "{off:?}");
+}
+
+#[track_caller]
+fn only(source: &str, expected: &str) {
+    let found = bad(source).to_string();
+    assert!(found.contains(expected), "{source}\n{found}");
+}
+
+#[test]
+fn one_message_for_each_mistake() {
+    let pin = |arguments: &str, law: &str| {
+        format!("joint wrist: revolute(rod.small, slider.center, {arguments}){law};")
+    };
+    let law = format!(" = {LAW}");
+    for (statements, expected) in [
+        (pin("play [mm] = 0.5", &law), "`revolute` needs its radius: write"),
+        (
+            pin("play [mm] = 0.5, radius [mm] = 10", ""),
+            "expected `=` and the law of the contact, such as `kelvin_voigt(…)`, found `;`",
+        ),
+        (pin("play [mm] = -0.5, radius [mm] = 10", &law), "radius"),
+        (pin("play [mm] = 20, radius [mm] = 10", &law), "radius"),
+        (pin("play [kg] = 1, radius [mm] = 10", &law), "kg"),
+        (
+            "joint wrist: fixed(rod.small, slider.center, play [mm] = 1, radius [mm] = 10) = 3 [N];"
+                .to_string(),
+            "there is no short form of a `fixed` with play; a `revolute` has, `joint pin: revolute(place, place, play [mm] = 0.5, radius [mm] = 10) = hertz(…);`. \
+             Elsewhere surfaces with a gap between them and a `contact` say it",
+        ),
+        (
+            format!("{} output r [N] = wrist.reaction.size;", pin("play [mm] = 0.5, radius [mm] = 10", &law)),
+            "`wrist` has play and holds nothing by itself: its surfaces push with `wrist.force`, at `wrist.point`",
+        ),
+    ] {
+        only(&wrist(&statements, "crank_pin.angle [rad] ~ -1;"), expected);
+    }
+    let space = "spatial Space { body arm { mass [kg] = 1; inertia [kg*m^2] = (1, 1, 1); }
+        joint pin: revolute(ground(0, 0, 0) [m], arm.origin, axis = (0, 0, 1), play [mm] = 1, radius [mm] = 10) = 3 [N]; }";
+    only(
+        space,
+        "there is no short form of a `revolute` with play; a `spherical` has, `joint ball: spherical(place, place, play [mm] = 0.5, radius [mm] = 10) = hertz(…);`. \
+        Elsewhere surfaces with a gap between them and a `contact` say it",
+    );
+}
