@@ -4,9 +4,9 @@ use super::warnings::Wanted;
 use crate::diagnostics::{Diagnostics, Lint};
 use crate::forms::Rim;
 use crate::messages;
-use crate::model::Mechanism;
 use crate::model::gears::stiffness::{Body, Tooth};
 use crate::model::gears::{Meeting, Mesh, Pair, Toothing, involute, spurs};
+use crate::model::{ConstraintKind, Mechanism};
 
 /// Of the distance that teeth without play have.
 const DISTANCE: f64 = 1e-6;
@@ -18,14 +18,20 @@ const MOST_SHIFTED: f64 = 4.0;
 const LOW: f64 = 1.1;
 const WIDTHS: std::ops::RangeInclusive<f64> = 3.0..=40.0;
 
-// Two toothings mesh once. Teeth that mesh have one module, one pressure angle and fitting helices; a ring has more teeth than what runs in it, and the axes stand
+// Teeth that a gear holds do not give. Teeth that mesh have one module, one pressure angle and fitting helices; a ring has more teeth than what runs in it, and the axes stand
 // where the teeth touch on both sides; at any time some teeth touch; and no tips run into each other.
 pub fn pairs_mesh(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
+    // Those of rows come first.
+    let rows = mechanism.constraints.iter().filter(|it| matches!(it.kind, ConstraintKind::Teeth { .. }));
+    let rigid = rows.count();
     for (at, pair) in mechanism.pairs.iter().enumerate() {
         let toothings = pair.on.map(|id| mechanism.toothing(id));
         let same = |other: &&Pair| other.on == pair.on || other.on == [pair.on[1], pair.on[0]];
-        if let Some(first) = mechanism.pairs[..at].iter().find(same) {
-            let message = messages::mesh_twice(toothings.map(|it| it.text.as_str()), &first.name.text);
+        if at >= rigid
+            && let Some(first) = mechanism.pairs[..rigid].iter().find(same)
+        {
+            let names = toothings.map(|it| it.text.as_str());
+            let message = messages::mesh_beside_gear(&pair.name.text, names, &first.name.text);
             let note = messages::first_here(&first.name.text);
             diagnostics.conflict(pair.name.span, message, first.name.span, note);
         } else if let Some(message) = unlike(pair.meeting, toothings).or_else(|| apart(mechanism, pair)) {

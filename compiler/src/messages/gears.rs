@@ -444,9 +444,10 @@ pub(crate) fn wrong_distance(
     )
 }
 
-pub(crate) fn mesh_twice([first, second]: [&str; 2], known: &str) -> String {
+pub(crate) fn mesh_beside_gear(mesh: &str, [first, second]: [&str; 2], gear: &str) -> String {
     format!(
-        "the teeth of `{first}` and `{second}` mesh in `{known}` already: leave one out; `gear` for teeth that are rigid, `mesh` for teeth that give"
+        "`{mesh}` gives between the teeth of `{first}` and `{second}`, which `{gear}` holds rigidly: its deflection never changes. Leave one out: a `gear` for \
+         teeth that are rigid, a `mesh` for teeth that give"
     )
 }
 

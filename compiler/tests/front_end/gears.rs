@@ -71,7 +71,7 @@ fn one_message_for_each_mistake() {
         ),
         (one("internal(teeth = 18, module [mm] = 2)"), "the ring has more teeth than the wheel in it"),
         (wheels("internal(teeth = 60, module [mm] = 2)", "internal(teeth = 20, module [mm] = 2)", "40", ""), "two rings have no teeth to mesh with"),
-        (wheels(PLAIN, PLAIN, "40", "mesh m: mesh(two.rim, one.rim, stiffness [N/m] = 1e8);"), "the teeth of `two.rim` and `one.rim` mesh in `mesh_of` already: leave one out; `gear` for teeth that are rigid, `mesh` for teeth that give"),
+        (wheels(PLAIN, PLAIN, "40", "mesh m: mesh(two.rim, one.rim, stiffness [N/m] = 1e8);"), "`m` gives between the teeth of `two.rim` and `one.rim`, which `mesh_of` holds rigidly: its deflection never changes. Leave one out: a `gear` for teeth that are rigid, a `mesh` for teeth that give"),
         (wheels(PLAIN, PLAIN, "40", "gear n: gear(one.rim, two.rim, ratio = 2);"), "joints and bodies are named here without a point, and two toothings bring their ratio: for these leave `ratio` out"),
         (wheels(PLAIN, PLAIN, "40", "shaft n: shaft(a, a, ratio = 1, stiffness [N*m/rad] = 9);"), "`n` couples something with itself"),
         (wheels(PLAIN, PLAIN, "60", ""), "are 60 mm apart, and their teeth touch on both sides at 40 mm: put them 40 mm apart"),
