@@ -186,7 +186,7 @@ fn conditions_have_their_rates_at<M: Model>(model: &M, at: &At<M>, has_value: &d
             ConditionKind::Angle | ConditionKind::Linear => slopes[index],
         };
         let off = if has_value(condition) { (rate - slope).abs() } else { 0.0 };
-        assert!(off <= 2e-7 * (1.0 + rate.abs()), "{} {of}: rate {rate} {slope}", model.name());
+        assert!(off <= 1e-6 * (1.0 + rate.abs()), "{} {of}: rate {rate} {slope}", model.name());
         let (bias, second) = (bias.as_slice()[index], second[index]);
         assert!(
             (bias - second).abs() <= 2e-6 * (1.0 + bias.abs()),

@@ -140,7 +140,12 @@ fn check(section: &str, listing: &str, entries: &BTreeMap<String, Node>, state: 
             None => line.split_once(" = ").unwrap_or_else(|| panic!("{section}: {line}")),
         };
         let mut reader = Reader { text: text.trim(), state, whole: &line };
-        let (value, magnitude) = reader.sum(false);
+        let (mut value, mut magnitude) = reader.sum(false);
+        if label.starts_with("  h") && !reader.text.is_empty() {
+            // A condition with a name.
+            reader.text = text.trim();
+            (value, magnitude) = (f64::from(u8::from(reader.condition())), 0.0);
+        }
         assert!(reader.text.is_empty(), "{section}: {line}\nstops at {}", reader.text);
         match entries.get(label.trim()) {
             Some(node) => {
@@ -373,8 +378,11 @@ impl<'a> Reader<'a> {
         if self.skip(" ≤ ") {
             return left <= self.sum(false).0;
         }
-        self.expect(" = ");
-        left == self.sum(false).0
+        if self.skip(" = ") {
+            return left == self.sum(false).0;
+        }
+        // One with a name.
+        left != 0.0
     }
 }
 
