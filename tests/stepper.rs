@@ -86,7 +86,8 @@ fn constraints_are_kept<M: Model>() {
     let mut plant = Stepper::new(M::standard(), model.start(), (Rk4, Corrected::after(LagrangeIndex1)));
     let mut alone = Stepper::new(M::standard(), model.start(), Rk4);
     // Teeth of steel between grams vibrate at 55 kHz, and rods along their axis.
-    let is_stiff = ["FlexibleSliderCrank", "PlanetaryStage", "PlanetaryStageHeld", "Stiffened"];
+    let is_stiff =
+        ["FlexibleSliderCrank", "PlanetaryStage", "PlanetaryStageHeld", "PrincetonBeam", "Stiffened"];
     let h = if is_stiff.contains(&model.name()) { 1e-2 * H } else { H };
     for _ in 0..STEPS {
         plant.step(&inputs, h).unwrap_or_else(|error| panic!("{error}"));

@@ -44,6 +44,7 @@ fn as_steppers<M: InScalars, L: Lanes, S: LaneMethod<M, L>>(method: S) {
     let model = M::In::<L::Scalar>::default();
     // Steel on steel, whose vibrations are shorter than what suits the others.
     let is_stiff = [
+        "PrincetonBeam",
         "FlexibleSliderCrank",
         "Stiffened",
         "LooseWrist",

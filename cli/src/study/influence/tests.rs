@@ -99,6 +99,12 @@ fn all_that_ships_by_differences() {
                     (Ok(exact), Ok(differences)) => (exact, differences),
                     (Ok(_), Err(message)) if message.contains("on a ball") => continue,
                     (Err(message), _) if message.contains("is rigid") => continue,
+                    // The size of a force has no derivative where it is zero.
+                    (Err(message), _)
+                        if loaded.name == "PenaltyChain" && message.contains("is no finite number") =>
+                    {
+                        continue;
+                    }
                     (exact, differences) => {
                         panic!(
                             "{} by {parameter}: {:?} {:?}",
