@@ -25,9 +25,11 @@ const REFUSED: &[(&str, &str)] = &[
     ("gripping", RIGID),
     ("hammer_at_rigid_wall", RIGID),
     ("rimless_wheel", RIGID),
+    ("rubbing_flexible_block", MODAL),
     ("slider_crank_on_stop", RIGID),
     ("striking", RIGID),
     ("woodpecker", RIGID),
+    ("yielding", "friction in joints that yield"),
 ];
 const MODAL: &str = "bodies with the modes of a file";
 const RIGID: &str = "impulses of rigid contacts";

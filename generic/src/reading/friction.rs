@@ -18,6 +18,9 @@ impl Reader<'_> {
     pub(super) fn friction(&self, node: &Value, own: &str, rows: &[Row]) -> Read<Friction> {
         let on = text(node, "on", own)?;
         let index = *self.joint_by_name.get(on).ok_or_else(|| DefinitionError::unknown(own, on))?;
+        if self.penalties.iter().any(|load| load.name == on) {
+            return Err(DefinitionError::not_there_yet(own, "friction in joints that yield"));
+        }
         let joint = &self.joints[index];
         let number = |key: &str| Ok(self.entry_of(node, key, own)?.unwrap_or(0.0));
         let radius = number("radius")?;
