@@ -109,18 +109,15 @@ impl Spot {
             return 0.0;
         }
         let pressed = self.force.value(at, inputs, scratch);
-        match &self.meeting.slides {
-            Slides::Along(slip) => {
-                let rate = slip.course(at, scratch).rate;
-                let z = match law {
-                    friction::Sliding::Remembers(bristles) => bristles.deflections(at, which, 1),
-                    _ => &[],
-                };
-                let effort = -resisted(law, &[rate], z, pressed, at, inputs, scratch)[0];
-                slip.jet(at, scratch, |pull| add(pull.scaled(effort)));
-                return effort * rate;
-            }
-            Slides::Surfaces { .. } => {}
+        if let Slides::Along(slip) = &self.meeting.slides {
+            let rate = slip.course(at, scratch).rate;
+            let z = match law {
+                friction::Sliding::Remembers(bristles) => bristles.deflections(at, which, 1),
+                _ => &[],
+            };
+            let effort = -resisted(law, &[rate], z, pressed, at, inputs, scratch)[0];
+            slip.jet(at, scratch, |pull| add(pull.scaled(effort)));
+            return effort * rate;
         }
         let Shift { v, material: [here, there], .. } = self.meeting.shift(at, scratch);
         let force = match law {

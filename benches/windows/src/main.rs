@@ -6,7 +6,13 @@
 //! An evaluation is v̇ and λ with Baumgarte's terms by the way that leads, at 64 states along the motion; a step is one of RK4 by a stepper. All
 //! sizes take turns, and what is shown is the least of many slices of at least 20 µs; f64.
 
-use linkwright::{Assemble, AssembleExt, Rk4, StateOf, mechanism};
+// Its definition is that of the models.
+#[macro_use]
+#[allow(dead_code)]
+#[path = "../../../models/src/n_four_bar.rs"]
+mod n_four_bar;
+
+use linkwright::{Assemble, AssembleExt, Rk4, StateOf};
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -18,23 +24,9 @@ const SLICE: f64 = 20e3;
 macro_rules! ladders {
     ($($name:ident $windows:literal),* $(,)?) => {
         $(
-            mechanism! {
-                planar $name {
-                    const N = $windows;
-                    gravity [m/s^2] = (0, -9.81);
-                    repeat i in 0..N+1 {
-                        rod crank[i] { mass [kg] = 1; length [m] = 1; }
-                        joint pin[i]: revolute(ground(i, 0) [m], crank[i].start);
-                    }
-                    repeat i in 0..N {
-                        rod coupler[i] { mass [kg] = 1; length [m] = 1; }
-                        joint left[i]:  revolute(crank[i].end, coupler[i].start);
-                        joint right[i]: revolute(coupler[i].end, crank[i+1].end);
-                        start { coupler[i].angle [rad] ~ 0; pin[i+1].angle [deg] ~ 90; }
-                    }
-                    start  { pin[0].angle [deg] = 90; pin[0].rate [rad/s] = -1; }
-                    output x [m] = crank[0].end.x;
-                }
+            n_four_bar! {
+                /// A ladder of unit rods.
+                $name, $windows
             }
         )*
 
@@ -72,8 +64,16 @@ where
     let evaluations = move |count: usize| {
         for _ in 0..count {
             at = (at + 1) % STATES;
-            let pivot =
-                black_box(function)(model, 0.0, black_box(&states[at]), &(), 20.0, 100.0, &mut a, &mut lambda);
+            let pivot = black_box(function)(
+                model,
+                0.0,
+                black_box(&states[at]),
+                &(),
+                20.0,
+                100.0,
+                &mut a,
+                &mut lambda,
+            );
             black_box((pivot, &a, &lambda));
         }
     };

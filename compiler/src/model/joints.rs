@@ -75,8 +75,7 @@ impl<'d> Lowering<'d> {
         }
         let (first, second) = (first?, second?);
         let (name, penalty) = (name(&joint.name), self.load_of_joint(joint));
-        let loose =
-            self.contact_named(&joint.name.text).filter(|_| joint.loose).map(|it| self.load_of_contact(it));
+        let loose = self.contact_named(&joint.name.text).map(|contact| self.load_of_contact(contact));
         let lowered = Joint { name, form: joint.form, first, second, directions, scalars, penalty, loose };
         self.refused(joint, &lowered)?;
         self.two_bodies(joint, &lowered.first, &lowered.second)?;
