@@ -140,15 +140,15 @@ fn data(loaded: &Loaded, film: &Film) -> Value {
         let spots: Vec<Value> = body.spots.iter().map(point).collect();
         let mut known =
             json!({ "name": body.name, "outline": body.outline, "lengths": body.lengths, "spots": spots });
-        if let Some(axis) = &body.axis {
+        if let Some(lines) = &body.lines {
             let factors =
                 |bending: &scene::Bending| bending.factors.iter().map(|it| rounded(*it)).collect::<Vec<_>>();
             let bending =
                 |it: &scene::Bending| json!({ "modes": it.modes, "along": it.along, "factors": factors(it) });
-            known["axis"] = json!({
-                "stations": axis.stations.iter().map(point).collect::<Vec<_>>(),
-                "length": axis.length,
-                "bendings": axis.bendings.iter().map(bending).collect::<Vec<_>>(),
+            known["lines"] = json!({
+                "stations": lines.stations.iter().map(point).collect::<Vec<_>>(),
+                "counts": lines.counts,
+                "bendings": lines.bendings.iter().map(bending).collect::<Vec<_>>(),
             });
         }
         known

@@ -4,7 +4,7 @@ use super::animate::Film;
 use super::short;
 use linkwright_compiler::drawing_text::escaped;
 use linkwright_compiler::page::magnified;
-use linkwright_compiler::page::scene::{Axis, Scene, Shape, Spot, Surface, Wheel};
+use linkwright_compiler::page::scene::{Lines, Scene, Shape, Spot, Surface, Wheel};
 use std::fmt::Write;
 
 /// Frames of the picture: few enough that it stays small.
@@ -25,8 +25,8 @@ struct Moment<'f> {
 impl Moment<'_> {
     fn place(&self, Spot { body, at, station }: Spot) -> [f64; 3] {
         let Some(body) = body else { return at };
-        let [x, y, z] = match (&self.scene.bodies[body].axis, station) {
-            (Some(axis), Some(station)) => axis.place(station, self.modes()),
+        let [x, y, z] = match (&self.scene.bodies[body].lines, station) {
+            (Some(lines), Some(station)) => lines.place(station, self.modes()),
             _ => at,
         };
         if self.scene.is_planar {
@@ -47,11 +47,11 @@ impl Moment<'_> {
         &self.pose[self.pose.len() - self.scene.modes.len()..]
     }
 
-    /// What a bar or plate is drawn through, or an axis as it is bent.
+    /// What a bar or plate is drawn through, or lines as they are bent.
     fn spots(&self, body: usize, shape: &Shape) -> Vec<[f64; 3]> {
-        if let Some(Axis { length, .. }) = shape.axis {
+        if let Some(Lines { counts, .. }) = &shape.lines {
             let bent = |station| Spot { body: Some(body), at: [0.0; 3], station: Some(station) };
-            return (0..length).map(|station| self.place(bent(station))).collect();
+            return (0..counts.iter().sum()).map(|station| self.place(bent(station))).collect();
         }
         let local = |at: &[f64; 3]| self.place(fixed(body, *at));
         let mut spots: Vec<[f64; 3]> = shape.spots.iter().map(local).collect();
@@ -137,7 +137,7 @@ pub fn picture(name: &str, film: &Film, speed: f64) -> String {
     for moment in &moments {
         for (index, body) in scene.bodies.iter().enumerate() {
             points.extend(moment.spots(index, body));
-            if !matches!(body.outline, "bar" | "beam") {
+            if !matches!(body.outline, "bar" | "lines") {
                 let [x, y, z] = moment.place(fixed(index, [0.0; 3]));
                 let r = if body.outline == "box" {
                     0.5 * body.lengths.iter().map(|x| x * x).sum::<f64>().sqrt()
@@ -312,7 +312,7 @@ fn shapes(paths: &mut Vec<Moving>, eye: &Eye, moments: &[Moment], index: usize, 
     let spots = |moment: &Moment| -> Vec<[f64; 2]> {
         moment.spots(index, body).iter().map(|spot| eye.spot(*spot)).collect()
     };
-    if body.axis.is_none() && body.spots.iter().all(|at| at.iter().all(|x| *x == 0.0)) {
+    if body.lines.is_none() && body.spots.iter().all(|at| at.iter().all(|x| *x == 0.0)) {
         // A mass and nothing else: a dot of one size, with a radius where it turns in the plane.
         let frame = |moment: &Moment| {
             let place = |at: [f64; 3]| eye.spot(moment.place(fixed(index, at)));
@@ -325,8 +325,18 @@ fn shapes(paths: &mut Vec<Moving>, eye: &Eye, moments: &[Moment], index: usize, 
         paths.push(Moving::new(moments, filled(0.3), frame));
         return;
     }
-    let is_plate = |corners: &[[f64; 2]]| body.axis.is_none() && corners.len() > 2;
-    let outline = |corners: Vec<[f64; 2]>| path(&corners, is_plate(&corners));
+    let outline = |corners: Vec<[f64; 2]>| match &body.lines {
+        Some(lines) => {
+            let mut rest = &corners[..];
+            let line = |count: &usize| {
+                let (line, after) = rest.split_at(*count);
+                rest = after;
+                path(line, false)
+            };
+            lines.counts.iter().map(line).collect()
+        }
+        None => path(&corners, corners.len() > 2),
+    };
     let frames: Vec<String> = moments.iter().map(|moment| outline(spots(moment))).collect();
     let strokes = [(11.0, "var(--ink)", 1.0), (8.4, "var(--paper)", 1.0), (8.4, hue, 0.35)];
     let styles = strokes.map(|(width, colour, opacity)| {

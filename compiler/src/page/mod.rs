@@ -12,6 +12,7 @@ mod equations;
 mod expression;
 mod figure;
 mod links;
+mod net;
 mod operations;
 mod plot;
 pub mod scene;

@@ -1,14 +1,14 @@
 //! What is drawn of a mechanism in motion: shapes, joints and loads in the axes of the bodies that they move with. Where the bodies are
-//! at a time is told by `motions`, and how beams are bent by their modes; how it looks is left to those who draw.
+//! at a time is told by `motions`, and how those that deform are bent by their modes; how it looks is left to those who draw.
 
-use super::bent::Bent;
+use super::bent::{Bent, Station, known};
 use super::sketch::{Part, Sketch};
 use super::stand::Pose;
 use crate::beams::magnification;
 use crate::compiled::Compiled;
 use crate::drawing::vector::{Point, difference, dot};
 use crate::forms::{Outline, Spans};
-use crate::model::{Expr, Frame, Load, Place, Rotor, Space, Subject};
+use crate::model::{Frame, Load, Place, Rotor, Space, Subject};
 
 /// A point of the ground, or of a body from its centre of mass, in its axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,7 +16,7 @@ pub struct Spot {
     /// Index of the body; the ground if none.
     pub body: Option<usize>,
     pub at: Point,
-    /// Which station of its body's axis it moves with, where that bends.
+    /// Which station of its body's lines it moves with, where they bend.
     pub station: Option<usize>,
 }
 
@@ -31,18 +31,19 @@ pub struct Scene {
     pub loads: Vec<Line>,
     pub wheels: Vec<Wheel>,
     pub surfaces: Vec<Surface>,
-    /// Where the modes of the beams stand in q, beam after beam.
+    /// Where the modes of bodies stand in q, body after body.
     pub modes: Vec<usize>,
     /// How many times as large deflections are shown.
     pub times: f64,
 }
 
-/// The axis of a beam: the mode or two modes of each bending, multiplied, times its factors are added to the stations.
+/// The lines of what deforms, of a beam its axis: the mode or two modes of each bending, multiplied, times its factors are added to the stations.
 #[derive(Clone, Debug)]
-pub struct Axis {
-    /// While it is straight, from the centre of mass, in the axes of the body; the first of them are the axis, others places on it.
+pub struct Lines {
+    /// While they are straight, from the centre of mass, in the axes of the body; the first of them are the lines, others places on them.
     pub stations: Vec<Point>,
-    pub length: usize,
+    /// How many stations each line has.
+    pub counts: Vec<usize>,
     pub bendings: Vec<Bending>,
 }
 
@@ -51,13 +52,13 @@ pub struct Axis {
 pub struct Bending {
     /// Among those of the scene.
     pub modes: Vec<usize>,
-    /// Along x or y of the body.
+    /// Along x, y or z of the body.
     pub along: usize,
     /// Of each station.
     pub factors: Vec<f64>,
 }
 
-impl Axis {
+impl Lines {
     /// A station with these modes.
     pub fn place(&self, station: usize, modes: &[f64]) -> Point {
         let mut at = self.stations[station];
@@ -73,15 +74,15 @@ impl Axis {
 #[derive(Clone, Debug)]
 pub struct Shape {
     pub name: String,
-    /// `disk`, `ball`, `box`, `beam`, or `bar` for all that is what lies between its spots.
+    /// `disk`, `ball`, `box`, `lines`, or `bar` for all that is what lies between its spots.
     pub outline: &'static str,
     /// Radius, or edges.
     pub lengths: Vec<f64>,
     /// Where something acts on it, from its centre of mass, in its axes.
     pub spots: Vec<Point>,
     pub turns: bool,
-    /// Of a beam.
-    pub axis: Option<Axis>,
+    /// Of what deforms.
+    pub lines: Option<Lines>,
 }
 
 /// A joint.
@@ -169,9 +170,9 @@ pub fn scene<'q>(
     let mut modes = Vec::new();
     let mut bodies = Vec::new();
     for (part, bends) in sketch.parts.iter().zip(&stage.places) {
-        let axis = bends.as_ref().map(|bends| bends.axis(modes.len(), times));
+        let lines = bends.as_ref().map(|bends| bends.lines(modes.len(), times));
         modes.extend(bends.iter().flat_map(|bends| &bends.bent.indices));
-        bodies.push(shape(part, axis));
+        bodies.push(shape(part, lines));
     }
     let is_planar = sketch.space == Space::Planar;
     Scene { is_planar, up: sketch.up, bodies, joints, loads, wheels, surfaces, modes, times }
@@ -183,48 +184,50 @@ struct Stage<'s> {
     places: Vec<Option<Bends<'s>>>,
 }
 
-/// A beam with x of its stations.
+/// What deforms, with its stations.
 struct Bends<'s> {
     bent: &'s Bent,
-    stations: Vec<f64>,
+    stations: Vec<Station>,
 }
 
 impl<'s> Bends<'s> {
     fn of(bent: &'s Option<Bent>) -> Option<Self> {
         let bent = bent.as_ref()?;
-        Some(Bends { bent, stations: bent.bow.places().collect() })
+        Some(Bends { bent, stations: bent.stations() })
     }
 
-    fn station(&mut self, x: f64) -> usize {
-        let known = self.stations.iter().position(|it| *it == x);
-        known.unwrap_or_else(|| {
-            self.stations.push(x);
+    fn station(&mut self, at: Point) -> Option<usize> {
+        let station = self.bent.station(at)?;
+        let index = self.stations.iter().position(|it| *it == station);
+        Some(index.unwrap_or_else(|| {
+            self.stations.push(station);
             self.stations.len() - 1
-        })
+        }))
     }
 
-    fn axis(&self, first: usize, times: f64) -> Axis {
-        let bow = &self.bent.bow;
-        let factors: Vec<Vec<f64>> = self.stations.iter().map(|x| bow.factors(*x, times)).collect();
-        let bendings = bow.terms().enumerate().map(|(term, (modes, along))| Bending {
+    fn lines(&self, first: usize, times: f64) -> Lines {
+        let bent = self.bent;
+        let factors: Vec<Vec<f64>> =
+            self.stations.iter().map(|station| bent.factors(*station, times)).collect();
+        let bendings = bent.terms().into_iter().enumerate().map(|(term, (modes, along))| Bending {
             modes: modes.iter().map(|mode| first + mode).collect(),
             along,
             factors: factors.iter().map(|of_station| of_station[term]).collect(),
         });
-        Axis {
-            stations: self.stations.iter().map(|x| [*x, 0.0, 0.0]).collect(),
-            length: bow.places().count(),
+        Lines {
+            stations: self.stations.iter().map(|station| bent.straight(*station)).collect(),
+            counts: bent.lines(),
             bendings: bendings.collect(),
         }
     }
 }
 
 impl Stage<'_> {
-    /// A point of the world, or the place of a beam that it is.
+    /// A point of the world, or the place of what deforms that it is.
     fn spot(&mut self, frame: Frame, at: Point, place: Option<&Place>) -> Spot {
         let Frame::Body(body) = frame else { return Spot { body: None, at, station: None } };
-        let station = match (&mut self.places[body.0], place.map(|place| &place.at[0])) {
-            (Some(bends), Some(Expr::Number(x))) => Some(bends.station(*x)),
+        let station = match (&mut self.places[body.0], place.and_then(known)) {
+            (Some(bends), Some(at)) => bends.station(at),
             _ => None,
         };
         let part = &self.parts[body.0];
@@ -233,9 +236,9 @@ impl Stage<'_> {
     }
 }
 
-fn shape(part: &Part, axis: Option<Axis>) -> Shape {
+fn shape(part: &Part, lines: Option<Lines>) -> Shape {
     let outline = match (part.form.outline, part.lengths.len()) {
-        _ if axis.is_some() => "beam",
+        _ if lines.is_some() => "lines",
         (Outline::Disk, 1..) => "disk",
         (Outline::Ball, 1..) => "ball",
         (Outline::Box, 2..) => "box",
@@ -246,9 +249,9 @@ fn shape(part: &Part, axis: Option<Axis>) -> Shape {
         name: part.name.clone(),
         outline,
         lengths: part.lengths.clone(),
-        spots: if axis.is_some() { Vec::new() } else { part.spots.iter().map(local).collect() },
+        spots: if lines.is_some() { Vec::new() } else { part.spots.iter().map(local).collect() },
         turns: part.form.turns,
-        axis,
+        lines,
     }
 }
 

@@ -25,7 +25,7 @@ pub struct Sketch {
     pub links: Vec<Link>,
     pub skins: Vec<Skin>,
     pub drives: Vec<Drive>,
-    /// How many times as large deflections of beams are shown.
+    /// How many times as large deflections are shown.
     pub times: f64,
 }
 
@@ -67,9 +67,9 @@ pub struct Part {
     pub lengths: Vec<f64>,
     /// Where something acts on it, and its named points; no two the same.
     pub spots: Vec<Point>,
-    /// Of a beam: its axis as it is bent, and the axis of its frame where that differs from it.
-    pub axis: Vec<Point>,
-    pub straight: Option<[Point; 2]>,
+    /// Of what deforms: its lines as they are bent, and their ends in its frame where that differs from it.
+    pub lines: Vec<Vec<Point>>,
+    pub straight: Option<Vec<[Point; 2]>>,
     /// How many joints it has, and whether one of them draws a block in its place.
     pub joints: usize,
     pub is_block: bool,

@@ -1,6 +1,6 @@
 //! Numbers of the mechanism as it stands in a pose, such as its start, from which the sketch is made.
 
-use super::bent::Bent;
+use super::bent::{Bent, Station};
 use super::sketch::{Effort, Part, Wheel};
 use crate::beams::magnification;
 use crate::check::assemble::live;
@@ -55,6 +55,8 @@ pub struct Stand<'a> {
     values: Vec<f64>,
     /// Centre and axes of each body.
     pub(super) poses: Vec<(Point, [Point; 3])>,
+    /// The origin of each body.
+    origins: Vec<Point>,
     /// What bends of each body.
     pub(super) bent: Vec<Option<Bent>>,
     /// How many times as large deflections are shown.
@@ -85,8 +87,16 @@ impl<'a> Stand<'a> {
         let bent = Bent::of_all(compiled, &pose.q);
         let deflections = bent.iter().flatten().map(Bent::deflection);
         let times = magnification(deflections.fold(0.0, f64::max));
-        let mut stand =
-            Stand { compiled, graph, symbols, values: Vec::new(), poses: Vec::new(), bent, times };
+        let mut stand = Stand {
+            compiled,
+            graph,
+            symbols,
+            values: Vec::new(),
+            poses: Vec::new(),
+            origins: Vec::new(),
+            bent,
+            times,
+        };
         stand.hold(&guards);
         for motion in &equations.motions {
             let center = pad(&stand.numbers(&motion.position));
@@ -96,6 +106,11 @@ impl<'a> Stand<'a> {
                 _ => [0, 1, 2].map(|column| [0, 1, 2].map(|row| turned[3 * row + column])),
             };
             stand.poses.push((center, axes));
+        }
+        for (index, body) in compiled.mechanism.bodies.iter().enumerate() {
+            let own = stand.vector(&body.center);
+            let (center, axes) = &stand.poses[index];
+            stand.origins.push(difference(*center, apply(axes, own)));
         }
         stand
     }
@@ -156,19 +171,19 @@ impl<'a> Stand<'a> {
     pub fn place(&mut self, place: &Place) -> Point {
         let at = self.vector(&place.at);
         let Frame::Body(body) = place.frame else { return at };
-        if let Some(bent) = &self.bent[body.0] {
-            return self.on_axis(body.0, bent, at[0]);
-        }
-        let definition = &self.compiled.mechanism.bodies[body.0];
-        let center = self.vector(&definition.center);
-        sum(self.poses[body.0].0, self.turned(place.frame, difference(at, center)))
+        self.on(body.0, at)
     }
 
-    /// Where a place of a beam's axis is shown.
-    fn on_axis(&self, body: usize, bent: &Bent, x: f64) -> Point {
-        let at = bent.bow.shown(x, &bent.modes, self.times);
-        let (origin, axes) = &self.poses[body];
-        sum(*origin, apply(axes, at))
+    /// Where a place of a body is shown, which may be bent.
+    fn on(&self, body: usize, at: Point) -> Point {
+        let bent = self.bent[body].as_ref();
+        let shown = bent.and_then(|bent| Some(bent.shown(bent.station(at)?, self.times)));
+        self.in_world(body, shown.unwrap_or(at))
+    }
+
+    /// A place in the axes of a body, from its origin.
+    fn in_world(&self, body: usize, at: Point) -> Point {
+        sum(self.origins[body], apply(&self.poses[body].1, at))
     }
 
     /// A direction in the axes of a place.
@@ -210,7 +225,6 @@ impl<'a> Stand<'a> {
 
     pub fn part(&mut self, index: usize, body: &Body) -> Part {
         let (center, axes) = self.poses[index];
-        let own = self.vector(&body.center);
         let lengths = self.built(|laws| body.dimensions.iter().map(|(_, it)| laws.value(it).bare).collect());
         let mut part = Part {
             name: body.name.text.clone(),
@@ -219,24 +233,28 @@ impl<'a> Stand<'a> {
             axes,
             lengths,
             spots: Vec::new(),
-            axis: Vec::new(),
+            lines: Vec::new(),
             straight: None,
             joints: 0,
             is_block: false,
         };
         if let Some(bent) = &self.bent[index] {
-            part.axis = bent.bow.places().map(|x| self.on_axis(index, bent, x)).collect();
-            let ends = bent.bow.ends().map(|x| sum(center, apply(&axes, [x, 0.0, 0.0])));
-            part.straight = bent.is_seen(self.times).then_some(ends);
-            part.spots.clone_from(&part.axis);
+            let mut stations = bent.stations().into_iter();
+            let mut straight = Vec::new();
+            for count in bent.lines() {
+                let line: Vec<Station> = stations.by_ref().take(count).collect();
+                let ends =
+                    [line.first(), line.last()].map(|end| end.map_or([0.0; 3], |end| bent.straight(*end)));
+                straight.push(ends.map(|end| self.in_world(index, end)));
+                let shown = line.iter().map(|station| bent.shown(*station, self.times));
+                part.lines.push(shown.map(|at| self.in_world(index, at)).collect());
+            }
+            part.straight = bent.is_seen(self.times).then_some(straight);
+            part.spots = part.lines.concat();
         }
         for point in &body.points {
             let at = self.vector(&point.at);
-            let at = match &self.bent[index] {
-                Some(bent) => self.on_axis(index, bent, at[0]),
-                None => sum(center, apply(&axes, difference(at, own))),
-            };
-            part.touch(at);
+            part.touch(self.on(index, at));
         }
         part
     }

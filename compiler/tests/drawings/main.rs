@@ -214,14 +214,70 @@ fn beams_are_bent() {
         let scene = scene::scene(&compiled, &pose, std::iter::once(pose.q.as_slice()), std::iter::empty());
         assert_eq!(scene.times, f64::from(times.unwrap_or(1)));
         let modes: Vec<f64> = scene.modes.iter().map(|index| pose.q[*index]).collect();
-        let axis = scene.bodies[0].axis.as_ref().expect("it bends");
-        let [x, y] = [axis.place(axis.length - 1, &modes), axis.place(0, &modes)].map(|at| at[1]);
+        let axis = scene.bodies[0].lines.as_ref().expect("it bends");
+        let [x, y] = [axis.place(axis.counts[0] - 1, &modes), axis.place(0, &modes)].map(|at| at[1]);
         // The first shape is 2 at both ends, which joints hold.
         let held = 2e-3 * first.parse::<f64>().expect("a number");
         assert!((x - held).abs() < 1e-12 && (y - held).abs() < 1e-12, "{x} {y}");
-        let middle = axis.place(axis.length / 2, &modes)[1];
+        let middle = axis.place(axis.counts[0] / 2, &modes)[1];
         let away = 1e-3 * first.parse::<f64>().expect("a number") * (-1.215_655_6 - 2.0);
         assert!((middle - held - scene.times * away).abs() < 1e-6 * scene.times, "{middle}");
         assert!(scene.joints.iter().all(|joint| joint.second.station.is_some()));
+    }
+}
+
+const BOOM: &str = "spatial Boom {
+    flexible arm(file = \"FILE\") { point start = node(1); point third = node(5); point end = node(11); modes = 1..2; damping_ratio = 0.02; }
+    body hand { mass [kg] = 0.5; inertia [kg*m^2] = (1e-3, 2e-3, 1.5e-3); }
+    joint base: universal(ground(0, 0, 0) [m], arm.start, axis = (0, 0, 1), second_axis = (0, 1, 0));
+    joint wrist: spherical(arm.end, hand.origin);
+    spring tie: spring(arm.third, ground(1, 1, 0) [m], stiffness [N/m] = 100, length [m] = 0.5);
+    start { arm.mode[2] [mm] = FIRST; }
+}";
+
+/// A body from a file is lines between its nodes, bent as these turn: the first bending of a cantilever, of which the file has three places. Its
+/// modes are pictures on the page.
+#[test]
+fn bodies_from_files_are_bent() {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/mechanisms/src/data/clamped.flex");
+    // cosh βx − cos βx − σ (sinh βx − sin βx), 2 at the end.
+    let cantilever = |x: f64| {
+        let (beta, sigma) = (1.875_104_068_711_961_f64 * x, 0.734_095_513_753_9);
+        beta.cosh() - beta.cos() - sigma * (beta.sinh() - beta.sin())
+    };
+    // Of a bend of 2 × 150 mm nothing is magnified; of 2 × 0.5 mm what is beside the straight line through both joints.
+    for first in [150.0, 0.5] {
+        let source = BOOM.replace("FILE", &file.display().to_string()).replace("FIRST", &first.to_string());
+        let compiled =
+            compile(source.parse().expect("tokens"), None).unwrap_or_else(|errors| panic!("{errors}"));
+        let Figure { svg, left_out, .. } = drawing_at(&compiled, &Pose::start(&compiled));
+        assert_eq!((left_out, measure::overlaps(&svg)), (0, vec![]), "{first}");
+        assert!(svg.contains("<title>frame of arm</title>"));
+        let pose = Pose::start(&compiled);
+        let scene = scene::scene(&compiled, &pose, std::iter::once(pose.q.as_slice()), std::iter::empty());
+        let modes: Vec<f64> = scene.modes.iter().map(|index| pose.q[*index]).collect();
+        let lines = scene.bodies[0].lines.as_ref().expect("it bends");
+        assert_eq!(lines.counts, [9, 9]);
+        assert_eq!(scene.times == 1.0, first == 150.0, "{}", scene.times);
+        for station in 0..18 {
+            let [x, bent, aside] = lines.place(station, &modes);
+            assert_eq!(aside, 0.0);
+            let chord = 2.0 * x;
+            let expected = chord + scene.times * (cantilever(x) - chord);
+            let error = (bent - 1e-3 * first * expected).abs();
+            // Cubics of 0.6 m are off by β⁴ φ L⁴/384 at most.
+            assert!(error < 7e-3 * 1e-3 * first * scene.times, "{station}: {bent} {expected}");
+        }
+        // Joints and the spring are where the lines are.
+        assert!(
+            scene
+                .joints
+                .iter()
+                .all(|joint| [joint.first, joint.second].iter().any(|it| it.station.is_some()))
+        );
+        assert!(scene.loads[0].ends.iter().any(|end| end.station.is_some()));
+        let page = linkwright_compiler::page::page(&compiled);
+        let pictures = page.matches("<title>arm.mode[").count();
+        assert_eq!(pictures, 2);
     }
 }

@@ -11,10 +11,21 @@ use linkwright_compiler::symbolic::{Node, Op, Unary, evaluate_with};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-/// The models mutated: loops with general bodies; slots, slides and loads; time, springs and particles; teeth that give; in space a loop with
-/// a ball and a cross, a chain of all that screws and slides with a particle, a driven loop of constant-velocity joints, a long tree.
-pub const MODELS: [&str; 8] =
-    ["general_four_bar", "quick_return", "car_axis", "crank", "gear_pair", "jack", "shafts", "snake"];
+/// The models mutated: loops with general bodies; slots, slides and loads; time, springs and particles; teeth that give; beams
+/// that bend, shear and stiffen; in space a loop with a ball and a cross, a chain of all that screws and slides with a particle, a driven loop of
+/// constant-velocity joints, a long tree.
+pub const MODELS: [&str; 10] = [
+    "general_four_bar",
+    "quick_return",
+    "car_axis",
+    "crank",
+    "gear_pair",
+    "jack",
+    "shafts",
+    "sheared",
+    "snake",
+    "stiffened",
+];
 
 /// Functions that the reference judges.
 const JUDGED: [Function; 18] = [

@@ -54,10 +54,10 @@
     const r = (k) => pose[p + 3 + 3 * k] * x + pose[p + 4 + 3 * k] * y + pose[p + 5 + 3 * k] * z;
     return [r(0), r(1), r(2)];
   }
-  // A station of the axis of a beam, as the modes bend it.
+  // A station of the lines of what deforms, as the modes bend them.
   function bent(body, station) {
-    const axis = bodies[body].axis, at = [...axis.stations[station]];
-    axis.bendings.forEach(({ modes, along, factors }) => {
+    const { lines } = bodies[body], at = [...lines.stations[station]];
+    lines.bendings.forEach(({ modes, along, factors }) => {
       at[along] += modes.reduce((product, mode) => product * pose[bodies.length * numbers + mode], factors[station]);
     });
     return at;
@@ -70,13 +70,14 @@
   }
   const center = (body) => place([body, 0, 0, 0]);
   const each = (body) => {
-    const { axis, spots } = bodies[body];
-    return axis ? axis.stations.slice(0, axis.length).map((_, k) => place([body, 0, 0, 0, k])) : spots.map((spot) => place([body, ...spot]));
+    const { lines, spots } = bodies[body];
+    if (!lines) return spots.map((spot) => place([body, ...spot]));
+    return [...Array(lines.counts.reduce((sum, count) => sum + count)).keys()].map((k) => place([body, 0, 0, 0, k]));
   };
-  // What leaves a trace: all that acts, or the ends of a beam.
+  // What leaves a trace: all that acts, or where lines begin and end.
   const ends = (body) => {
     const all = each(body);
-    return bodies[body].axis ? [all[0], all[all.length - 1]] : all.length ? all : [center(body)];
+    return bodies[body].lines ? [all[0], all[all.length - 1]] : all.length ? all : [center(body)];
   };
 
   // ---- the eye ------------------------------------------------------------------------------------------------
@@ -106,7 +107,7 @@
         each(index).forEach(take);
         const at = center(index);
         take(at);
-        const r = body.outline === "box" ? Math.hypot(...body.lengths) / 2 : /bar|beam/.test(body.outline) ? 0 : body.lengths[0];
+        const r = body.outline === "box" ? Math.hypot(...body.lengths) / 2 : /bar|lines/.test(body.outline) ? 0 : body.lengths[0];
         if (r) [0, 1, 2].forEach((axis) => [-r, r].forEach((d) => take(at.map((x, j) => (j === axis && !(planar && j === 2) ? x + d : x)))));
       });
       data.surfaces.forEach((surface) => surface.lines.forEach((points) => points.forEach((at) => take(place(at)))));
@@ -262,10 +263,15 @@
           }
         });
       }
-      if (body.axis) {
-        const [from, to] = [0, body.axis.length - 1].map((k) => spot(place([index, ...body.axis.stations[k]])));
-        if (data.magnified) add(0, depth(at), () => line([from, to], ink.muted, 1, [9, 3, 2, 3]));
-        add(2, depth(at), () => plate(spots.map(spot), 1.9 * view.unit, colour, false));
+      if (body.lines) {
+        let first = 0;
+        body.lines.counts.forEach((count) => {
+          const bent = spots.slice(first, first + count).map(spot);
+          const ends = [first, first + count - 1].map((k) => spot(place([index, ...body.lines.stations[k]])));
+          if (data.magnified) add(0, depth(at), () => line(ends, ink.muted, 1, [9, 3, 2, 3]));
+          add(2, depth(at), () => plate(bent, 1.9 * view.unit, colour, false));
+          first += count;
+        });
       }
       const from = body.outline === "bar" ? (spots.length > 1 ? spots : [...spots, at]) : [];
       const corners = hull(from.map(spot));

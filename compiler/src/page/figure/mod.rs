@@ -1,6 +1,6 @@
 //! The drawing of a mechanism at its start, as SVG: in the plane to scale, in space along a fixed direction.
 
-mod beam;
+mod bent;
 mod dimensions;
 mod drives;
 mod hinges;

@@ -1,7 +1,7 @@
 //! Bodies: the shape that was declared, and bars and plates between the places where something acts on them.
 
 use super::labels::Kind;
-use super::{BODIES, Drawing, SHAPES, beam};
+use super::{BODIES, Drawing, SHAPES, bent};
 use crate::drawing::canvas::{Group, Pen};
 use crate::drawing::shapes::{THIN, away, block, circle, heading, hull, plate, rectangle, shifted};
 use crate::drawing::vector::{Point, along, difference, dot, length};
@@ -11,8 +11,8 @@ use crate::model::Space;
 use crate::page::sketch::Part;
 
 pub fn part(drawing: &mut Drawing, part: &Part) {
-    if !part.axis.is_empty() {
-        return beam::beam(drawing, part);
+    if !part.lines.is_empty() {
+        return bent::bent(drawing, part);
     }
     let view = &drawing.view;
     let center = view.spot(part.center);
