@@ -389,6 +389,12 @@ impl<'a> Laws<'a> {
                 let work = force.iter().zip(&between).map(|(force, delta)| *force * delta.value());
                 -(self.g.sum(work) / self.value(joint.scalar(0)))
             }
+            // f·n, f on the second place.
+            ReactionPart::Pressing => {
+                let joint = &self.mechanism.joints[joint.0];
+                let [x, y] = plane::joints::out_of_curve(self, joint).parts();
+                x * force[0] + y * force[1]
+            }
             // In the plane there is one.
             ReactionPart::Torque(axis) => torque[axis.min(torque.len() - 1)],
         }

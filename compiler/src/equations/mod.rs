@@ -161,6 +161,8 @@ pub struct Equations {
     pub reactions: Vec<Wrench>,
     /// With v̇ and λ as given.
     pub outputs: Vec<Node>,
+    /// The efforts that `expect` bounds, likewise.
+    pub expected: Vec<Node>,
     /// What rubs by reactions.
     pub friction: Friction,
     /// Of each gate that is held, the gap, and the force of its law without the gate.
@@ -278,6 +280,9 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
     let outputs: Vec<Node> =
         mechanism.outputs.iter().map(|output| outputs_laws.value(&output.value).bare).collect();
 
+    let expected = mechanism.expect.motion.efforts.iter();
+    let expected = expected.map(|effort| outputs_laws.value(&effort.value).bare).collect();
+
     let (guards, strikes, grips) = (loads::guards(&laws), loads::strikes(&laws), loads::grips(&laws));
     let states = mechanism.states.iter();
     let internal_rates = states.clone().map(|state| rate(&outputs_laws, &state.rate).bare).collect();
@@ -324,6 +329,7 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
         motions,
         reactions,
         outputs,
+        expected,
         guards,
         strikes,
         grips,
@@ -393,6 +399,7 @@ impl Equations {
             replace(&mut self.inverse, &none);
             replace(&mut self.powers, &results);
             replace(&mut self.outputs, &results);
+            replace(&mut self.expected, &results);
             replace(&mut self.internal_rates, &results);
             replace(&mut self.driver_efforts, &results);
             replace(&mut self.driver_powers, &results);

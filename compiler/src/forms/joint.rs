@@ -43,7 +43,11 @@ impl JointForm {
 
     /// The name of what it exerts as one quantity, if it has one.
     pub fn effort(&self) -> Option<&'static str> {
-        (self.spans == Spans::Rod).then_some("tension")
+        match self.spans {
+            Spans::Rod => Some("tension"),
+            Spans::Outline => Some("force"),
+            Spans::Nothing | Spans::Rail | Spans::Line => None,
+        }
     }
 
     /// Whether it keeps a shift from its places: it has fewer travels than the space has dimensions.
@@ -101,6 +105,8 @@ pub enum Spans {
     Rail,
     /// The line of the first.
     Line,
+    /// A closed curve about the first, on which the second rolls.
+    Outline,
 }
 
 /// Whose the directions of a joint are.

@@ -149,6 +149,8 @@ pub enum Value {
     Exponent,
     /// The name of a table: force or torque by the way, on first loading.
     Backbone,
+    /// The name of a table that repeats itself after a turn: a length by an angle.
+    Outline,
     /// A number of parameters whose dimension follows from that of a contact's gap.
     OfGap,
     /// One of several words, or the name of a material.
@@ -207,6 +209,7 @@ impl Argument {
             | Value::Stiffness
             | Value::Exponent
             | Value::Backbone
+            | Value::Outline
             | Value::OfGap
             | Value::Word
             | Value::TeethStiffness

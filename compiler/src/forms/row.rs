@@ -96,3 +96,6 @@ pub static ANGLE: RowForm = RowForm::direction("angle", "turns about its axis");
 /// Two places keep their distance.
 pub static DISTANCE: RowForm =
     RowForm { name: "distance", measures: Measures::Squares, part_of: None, prevents: "distance" };
+
+/// A place stays out of a curve by the radius of its roller.
+pub static CURVE: RowForm = RowForm::length("out", None, "shifts along the normal of the curve");

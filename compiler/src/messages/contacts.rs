@@ -112,6 +112,16 @@ pub(crate) fn roller_too_large(roller: &str, radius: f64, profile: &str, angle: 
     )
 }
 
+pub(crate) fn undercut_by_roller(name: &str, radius: f64, table: &str, angle: f64, hollow: f64) -> String {
+    format!(
+        "`{name}` has a roller of radius {} mm, and `{table}` is hollow at {} deg with a radius of curvature of {} mm: the roller would not follow \
+         it there but touch at two places at once (undercutting); make the roller smaller than that, or the base larger",
+        number(1e3 * radius),
+        number(angle.to_degrees()),
+        number(1e3 * hollow)
+    )
+}
+
 pub(crate) fn surfaces_of_one_body(first: &str, second: &str) -> String {
     format!(
         "`{first}` and `{second}` are of one body, so the gap between them never changes: a contact is between two bodies, or a body and the ground"

@@ -1,7 +1,7 @@
 //! Texts about how a definition is written: tokens, expressions, indices, statements, settings.
 
 use super::{closest, foreign_statement, other_option};
-use crate::units::{self, UnitError};
+use crate::units::{self, Dimension, UnitError};
 
 // ---- Tokens and expressions ------------------------------------------------------------------------------------------
 
@@ -340,6 +340,27 @@ pub(crate) fn motion_in_space(what: &str) -> String {
     format!(
         "`{what}` in `expect` is not there yet for spatial mechanisms: the range of motion is found for planar ones with one \
          degree of freedom"
+    )
+}
+
+pub(crate) fn bound_of_no_effort(name: &str, found: Dimension) -> String {
+    format!(
+        "`{name}` is {}, and a bound along the motion is that of a force or torque, such as `follow.force > 0`; of a coordinate write a range, \
+         `rail.travel in 0..8 [mm]`",
+        found.kind()
+    )
+}
+
+pub(crate) fn effort_without_driver(name: &str) -> String {
+    format!(
+        "`{name}` depends on how fast the mechanism moves, and no driver says so: add one, such as `drive motor: shaft.angle = 100 [rad/s]*time;`"
+    )
+}
+
+pub(crate) fn effort_by_states(name: &str) -> String {
+    format!(
+        "`{name}` is followed along the motion that drivers fix, and the states of this mechanism do not follow from that: leave this out of `expect`, \
+         and watch `{name}` as an output"
     )
 }
 

@@ -1,10 +1,11 @@
 //! Joints, couplings and loads of a mechanism: each by its form and what it was given, whatever its kind.
 
 use super::gears::{Meshing, ToothingId};
-use super::{BodyId, Expr, Frame, JointId, LoadId, Mechanism, Name, Place, Quantity, Vector};
+use super::{BodyId, Curve, Expr, Frame, JointId, LoadId, Mechanism, Name, Place, Quantity, Vector};
 use crate::forms::{Argument, CouplingForm, JointAxes, JointForm, LoadForm, Proportion, Spans};
 use crate::units::Dimension;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// A joint between two places. Its coordinate, rate, travel and torque are those of the second place's body
 /// relative to the first's, axes in the first's frame.
@@ -18,6 +19,8 @@ pub struct Joint {
     pub directions: Vec<Vector>,
     /// Its other arguments, in their order.
     pub scalars: Vec<Expr>,
+    /// The closed curve about its first place, as a table of what its first other argument is the base of.
+    pub curve: Option<Arc<Curve>>,
     /// The load that acts in place of its rows.
     pub penalty: Option<LoadId>,
     /// The contact between its surfaces, where it has play.

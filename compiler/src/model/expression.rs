@@ -188,6 +188,8 @@ pub enum ReactionPart {
     Size,
     /// Of a joint that keeps a distance, what pulls its places together, N.
     Tension,
+    /// Of a joint on a curve, what presses its places apart, N.
+    Pressing,
     /// About world x (0), y (1) or z (2), in the plane about the last, N m.
     Torque(usize),
 }
@@ -196,7 +198,7 @@ impl ReactionPart {
     /// What it measures.
     pub fn dimension(self) -> Dimension {
         match self {
-            Self::Force(_) | Self::Normal | Self::Size | Self::Tension => Dimension::FORCE,
+            Self::Force(_) | Self::Normal | Self::Size | Self::Tension | Self::Pressing => Dimension::FORCE,
             Self::Torque(_) => Dimension::TORQUE,
         }
     }

@@ -10,6 +10,9 @@ use crate::messages;
 use crate::syntax::{self, FirstTerm, LineTerm, Path};
 use crate::units::Dimension;
 
+/// Passes for the foot on the curve of a joint, after which nothing is left but rounding.
+const PASSES: usize = 5;
+
 /// A line that a point may lie on.
 pub(super) struct LowerLine {
     pub frame: Frame,
@@ -35,6 +38,7 @@ impl<'d> Lowering<'d> {
         let second = self.place(&joint.second);
         let mut directions = Vec::new();
         let mut scalars = Vec::new();
+        let mut curve = None;
         match &joint.first {
             FirstTerm::Place(_) => {}
             FirstTerm::Line(_) => directions.push(on_line?),
@@ -58,6 +62,7 @@ impl<'d> Lowering<'d> {
                 Value::Diagonal(dimension) => {
                     scalars.extend(self.diagonal(&joint.named, argument.name, dimension)?);
                 }
+                Value::Outline => curve = Some(self.outline(joint.named.entry(argument.name)?, PASSES)?),
                 // Joints resist no way.
                 Value::Varying(_)
                 | Value::RateOf { .. }
@@ -76,8 +81,10 @@ impl<'d> Lowering<'d> {
         let (first, second) = (first?, second?);
         let (name, penalty) = (name(&joint.name), self.load_of_joint(joint));
         let loose = self.contact_named(&joint.name.text).map(|contact| self.load_of_contact(contact));
-        let lowered = Joint { name, form: joint.form, first, second, directions, scalars, penalty, loose };
+        let form = joint.form;
+        let lowered = Joint { name, form, first, second, directions, scalars, curve, penalty, loose };
         self.refused(joint, &lowered)?;
+        self.rolls(joint, &lowered)?;
         self.two_bodies(joint, &lowered.first, &lowered.second)?;
         self.joint_of_beam(joint, &lowered)?;
         if let Some(place) = [&lowered.first, &lowered.second].into_iter().find(|it| self.bends(it.frame))
@@ -137,6 +144,30 @@ impl<'d> Lowering<'d> {
         let Some((argument, message)) = refuses(&given) else { return Some(()) };
         let tuple = joint.named.tuple(argument).map(|tuple| tuple.region);
         let region = tuple.or_else(|| joint.named.entry(argument).map(|entry| entry.value.region));
+        self.diagnostics.error(region.unwrap_or(joint.name.region), message);
+        None
+    }
+
+    /// A curve goes around its place, and a roller reaches into all its hollows.
+    fn rolls(&mut self, joint: &'d syntax::Joint, lowered: &Joint) -> Option<()> {
+        let (Some(curve), Some(base), Some(radius)) =
+            (&lowered.curve, lowered.scalars.first(), lowered.scalars.get(1))
+        else {
+            return Some(());
+        };
+        let at = |value| fold::evaluate(value, self.defaults());
+        let (Some(base), Some(radius)) = (at(base), at(radius)) else { return Some(()) };
+        let name = &joint.name.text;
+        let (argument, message) = if let Some((angle, least)) = curve.not_around(base) {
+            ("lift", messages::profile_about_nothing(name, angle, least))
+        } else if radius < 0.0 {
+            ("radius", messages::size_of_load("radius", name, radius))
+        } else if let Some((angle, hollow)) = curve.hollow(base).filter(|(_, hollow)| *hollow <= radius) {
+            ("radius", messages::undercut_by_roller(name, radius, curve.name(), angle, hollow))
+        } else {
+            return Some(());
+        };
+        let region = joint.named.entry(argument).map(|entry| entry.value.region);
         self.diagnostics.error(region.unwrap_or(joint.name.region), message);
         None
     }

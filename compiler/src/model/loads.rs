@@ -208,8 +208,8 @@ impl<'d> Lowering<'d> {
             Value::Backbone => self.backbone(load.named.entry(argument.name)?, along?),
             // It says what the load is, and is no value: read elsewhere.
             Value::Word => Some(Vec::new()),
-            // Of laws of contacts, which are read elsewhere.
-            Value::OfGap => None,
+            // Of laws of contacts, which are read elsewhere, and of joints.
+            Value::OfGap | Value::Outline => None,
             Value::TeethStiffness => self.teeth_stiffness(load, argument.name),
             Value::TeethDamping => self.teeth_damping(load, argument.name),
         }

@@ -570,6 +570,8 @@ pub struct MotionExpected {
     pub rotates: Vec<Turning>,
     pub within: Vec<Within>,
     pub no_singularity: Option<Region>,
+    /// Of the motion that drivers fix.
+    pub efforts: Vec<EffortBound>,
 }
 
 impl MotionExpected {
@@ -585,6 +587,20 @@ impl MotionExpected {
 pub struct Turning {
     pub rotor: Rotor,
     pub name: String,
+    pub span: Region,
+}
+
+/// `follow.force > 0;`
+#[derive(Clone, Debug)]
+pub struct EffortBound {
+    pub value: Expr,
+    /// As written, `follow.force`.
+    pub text: String,
+    pub side: Side,
+    /// SI.
+    pub bound: f64,
+    /// N or N m.
+    pub unit: &'static str,
     pub span: Region,
 }
 

@@ -8,7 +8,7 @@ use super::{
     ReactionPart, Rotor,
 };
 use crate::diagnostics::Region;
-use crate::forms::Acts;
+use crate::forms::{Acts, Spans};
 use crate::messages;
 use crate::syntax::{ConstraintTerm, FirstTerm, Label, LineTerm, Path, PlaceTerm, Space, Term, TermKind};
 use crate::units::Dimension;
@@ -281,7 +281,8 @@ impl<'d> Lowering<'d> {
         }
         let effort = term.form.effort();
         if path.parts.len() == 2 && effort == Some(quantity.text.as_str()) {
-            let part = ReactionPart::Tension;
+            let rod = term.form.spans == Spans::Rod;
+            let part = if rod { ReactionPart::Tension } else { ReactionPart::Pressing };
             return Found::result(Quantity::Reaction(joint, part), part.dimension());
         }
         let (angles, travels) = self.coordinates(joint);

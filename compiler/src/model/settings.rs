@@ -3,14 +3,15 @@
 use super::lower::Lowering;
 use super::lower::Use;
 use super::names::Part;
+use super::values::Typed;
 use super::{
-    Budget, Coordinate, Coordinates, Emit, Expect, Expr, JointId, Options, Redundant, Rotor, SolvedBy, Space,
+    Budget, Coordinate, Coordinates, EffortBound, Emit, Expect, Expr, JointId, Options, Redundant, Rotor, SolvedBy, Space,
     Turning, Within,
 };
 use crate::diagnostics::Region;
 use crate::messages;
 use crate::scalar::Scalar;
-use crate::syntax::{ExpectEntry, Label, OptionEntry, Path, RangeTerm};
+use crate::syntax::{ExpectEntry, Label, OptionEntry, Path, RangeTerm, Side, Term, TermKind, WrittenUnit};
 use crate::units::Dimension;
 
 impl<'d> Lowering<'d> {
@@ -159,6 +160,9 @@ impl<'d> Lowering<'d> {
                     }
                 }
                 ExpectEntry::Within(path, range) => expect.motion.within.extend(self.within(path, range)),
+                ExpectEntry::Effort(path, unit, side, bound) => {
+                    expect.motion.efforts.extend(self.effort_bound(path, unit.as_ref(), *side, bound));
+                }
                 ExpectEntry::ContactTime(path, time) => {
                     expect.contact_times.extend(self.contact_time(path, time))
                 }
@@ -218,6 +222,40 @@ impl<'d> Lowering<'d> {
             return None;
         }
         Some(Within { coordinate, text: path.text.clone(), from, to, unit, span: path.region })
+    }
+
+    /// A force or torque by its name, on one side of a number.
+    fn effort_bound(
+        &mut self,
+        path: &'d Path,
+        unit: Option<&'d WrittenUnit>,
+        side: Side,
+        bound: &'d Term,
+    ) -> Option<EffortBound> {
+        if !self.can_be_swept("a bound of a force", path.region) {
+            return None;
+        }
+        let named = Term { kind: TermKind::Name(path.clone()), region: path.region, height: 0 };
+        let Typed { expr: value, dimension, .. } = self.value(&named, Use::OUTPUT)?;
+        let unit_of = [(Dimension::FORCE, "N"), (Dimension::TORQUE, "N m")];
+        let Some((_, si)) = unit_of.into_iter().find(|(known, _)| dimension.fits(*known)) else {
+            self.diagnostics.error(path.region, messages::bound_of_no_effort(&path.text, dimension));
+            return None;
+        };
+        let what = messages::quoted(&path.text);
+        let Expr::Number(number) = self.with_unit(bound, unit, dimension, Use::RANGE, &what)? else {
+            self.diagnostics.error(bound.region, messages::not_constant(&what));
+            return None;
+        };
+        if self.definition.drivers.is_empty() {
+            self.diagnostics.error(path.region, messages::effort_without_driver(&path.text));
+            return None;
+        }
+        if !self.definition.states.is_empty() {
+            self.diagnostics.error(path.region, messages::effort_by_states(&path.text));
+            return None;
+        }
+        Some(EffortBound { value, text: path.text.clone(), side, bound: number, unit: si, span: path.region })
     }
 
     /// One range for a coordinate, one number of freedoms.

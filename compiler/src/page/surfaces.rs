@@ -4,7 +4,7 @@
 use super::stand::Stand;
 use crate::drawing::shapes::across;
 use crate::drawing::vector::{Point, along, cross, difference, dot, length, sum, unit};
-use crate::model::{Expr, Frame, Place, Shape, Space, Surface, Vector};
+use crate::model::{Expr, Frame, Joint, Place, Shape, Space, Surface, Vector};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Corners of a whole circle.
@@ -68,7 +68,25 @@ impl Stand<'_> {
             let lines = self.lines(shape, bounds);
             Skin { name: text.clone(), on: shape.place().frame, lines }
         };
-        compiled.mechanism.surfaces.iter().map(skin).filter(|skin| !skin.lines.is_empty()).collect()
+        let mut skins: Vec<Skin> = compiled.mechanism.surfaces.iter().map(skin).collect();
+        skins.extend(compiled.mechanism.joints.iter().flat_map(|joint| self.rolling(joint, bounds)));
+        skins.retain(|skin| !skin.lines.is_empty());
+        skins
+    }
+
+    /// The curve of a joint and what rolls on it.
+    fn rolling(&mut self, joint: &Joint, bounds: &Bounds) -> Vec<Skin> {
+        let (Some(curve), [base, radius]) = (&joint.curve, &joint.scalars[..]) else { return Vec::new() };
+        let (curve, base) = (curve.clone(), base.clone());
+        let shapes = [
+            Shape::Profile { place: joint.first.clone(), curve, base },
+            Shape::Round { place: joint.second.clone(), radius: radius.clone() },
+        ];
+        let skin = |shape: &Shape| {
+            let (name, on) = (joint.name.text.clone(), shape.place().frame);
+            Skin { name, on, lines: self.lines(shape, bounds) }
+        };
+        shapes.iter().map(skin).collect()
     }
 
     fn size(&mut self, expr: &Expr) -> f64 {

@@ -469,6 +469,7 @@ impl Parser<'_> {
             | Value::Stiffness
             | Value::Exponent
             | Value::Backbone
+            | Value::Outline
             | Value::OfGap
             | Value::Word
             | Value::TeethStiffness

@@ -423,6 +423,8 @@ pub enum ExpectEntry {
     Frequency(Path, Side, Term),
     /// A place of a beam that is on one side of a bound off the axis of its frame.
     Deflection(Path, Side, Term),
+    /// A force or torque that is on one side of a bound all along the motion.
+    Effort(Path, Option<WrittenUnit>, Side, Term),
 }
 
 /// Of a bound.

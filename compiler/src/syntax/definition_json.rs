@@ -402,7 +402,9 @@ impl Writer {
         for Argument { name, value, .. } in joint.form.call.named {
             match value {
                 Value::Direction => self.tuple_if(name, joint.named.tuple(name), Some("1")),
-                Value::Scalar(_) | Value::Moving(_) => self.entry_if(name, joint.named.entry(name)),
+                Value::Scalar(_) | Value::Moving(_) | Value::Outline => {
+                    self.entry_if(name, joint.named.entry(name))
+                }
                 Value::Diagonal(_) => self.diagonal_if(name, &joint.named),
                 // Joints resist no way.
                 Value::Varying(_)
@@ -508,6 +510,7 @@ impl Writer {
                 | Value::Stiffness
                 | Value::Exponent
                 | Value::Backbone
+                | Value::Outline
                 | Value::OfGap
                 | Value::Word
                 | Value::TeethDamping => self.entry_if(name, load.named.entry(name)),

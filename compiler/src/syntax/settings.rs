@@ -1,7 +1,7 @@
 //! The blocks `start`, `options` and `expect`.
 
 use super::definition::{
-    Budget, Budgeted, EMITTED, ExpectEntry, Label, Operator, OptionEntry, OrientationEntry, Path, RangeTerm,
+    Budget, Budgeted, EMITTED, ExpectEntry, Label, Operator, OptionEntry, OrientationEntry, Path, RangeTerm, Side,
     StartEntry, Term, TermKind, WrittenUnit,
 };
 use super::parser::{Parsed, Parser};
@@ -155,7 +155,7 @@ impl Parser<'_> {
     }
 
     /// `{ degrees_of_freedom = 1; operations <= 400; live_values(mass_matrix) <= 40; rotates = crank_pin; no_singularity;
-    /// knee.angle in 10..170 [deg]; }`
+    /// knee.angle in 10..170 [deg]; follow.force > 0; }`
     pub fn expect(&mut self, c: &mut Cursor) -> Parsed<()> {
         const KNOWN: [&str; 8] = [
             "degrees_of_freedom",
@@ -169,7 +169,7 @@ impl Parser<'_> {
         ];
         self.block(c, |parser, c| {
             if is_dotted(c) {
-                let entry = parser.within(c)?;
+                let entry = parser.along_the_motion(c)?;
                 parser.semicolon(c)?;
                 parser.definition.expect.push(entry);
                 return Ok(());
@@ -204,17 +204,33 @@ impl Parser<'_> {
         })
     }
 
-    /// `knee.angle in 10..170 [deg]`, or `knee.angle [deg] in 10..170`.
-    fn within(&mut self, c: &mut Cursor) -> Parsed<ExpectEntry> {
-        let (quantity, range) = self.quantity_in_range(c)?;
-        Ok(ExpectEntry::Within(quantity, range))
+    /// `knee.angle in 10..170 [deg]`, or `knee.angle [deg] in 10..170`; `follow.force > 0`.
+    fn along_the_motion(&mut self, c: &mut Cursor) -> Parsed<ExpectEntry> {
+        let (quantity, beside) = self.start_quantity(c)?;
+        let side = match (c.at_punct('>'), c.at_punct('<')) {
+            (true, _) => Side::Above,
+            (_, true) => Side::Below,
+            _ => {
+                const SUCH: &str = "`in` and a range such as `10..170 [deg]`, or `>` or `<` and a force";
+                return Ok(ExpectEntry::Within(quantity, self.range(c, beside, SUCH)?));
+            }
+        };
+        c.advance();
+        // A bound is a bound: what is just at it is on neither side.
+        c.eat_punct('=');
+        Ok(ExpectEntry::Effort(quantity, beside, side, self.expression(c)?))
     }
 
-    /// The same, of expectations and limits.
+    /// `strut.travel [mm] in -80..60`.
     pub(super) fn quantity_in_range(&mut self, c: &mut Cursor) -> Parsed<(Path, RangeTerm)> {
         let (quantity, beside) = self.start_quantity(c)?;
+        Ok((quantity, self.range(c, beside, "`in` and a range such as `10..170 [deg]`")?))
+    }
+
+    /// `in 10..170 [deg]`.
+    fn range(&mut self, c: &mut Cursor, beside: Option<WrittenUnit>, such: &str) -> Parsed<RangeTerm> {
         if !c.eat_word("in") {
-            return self.expected(c, "`in` and a range such as `10..170 [deg]`");
+            return self.expected(c, such);
         }
         let from = self.expression(c)?;
         if !c.at_puncts('.', '.') {
@@ -224,7 +240,7 @@ impl Parser<'_> {
         c.advance();
         let mut to = self.expression(c)?;
         let unit = beside.or_else(|| take_unit(&mut to));
-        Ok((quantity, RangeTerm { unit, from, to }))
+        Ok(RangeTerm { unit, from, to })
     }
 
     /// `(mass_matrix) <= 40` behind the word.

@@ -1,7 +1,7 @@
 //! The expectations of the motion in `expect`, against the motion.
 
 use super::messages::{self, Outside};
-use super::{End, Motion, Range, sweep};
+use super::{End, Motion, Range, efforts, sweep};
 use crate::check::assemble::{Assembly, Point, pins};
 use crate::check::beyond;
 use crate::diagnostics::Diagnostics;
@@ -20,6 +20,7 @@ pub fn check(
     errors: &mut Diagnostics,
 ) {
     let expected = &mechanism.expect.motion;
+    efforts::check(mechanism, equations, assembly, errors);
     let Some(span) = expected.span() else { return };
     let tables = beyond::asked(mechanism);
     let of_tables: Vec<_> = tables.iter().filter_map(|asked| Some((asked, asked.coordinate()?))).collect();

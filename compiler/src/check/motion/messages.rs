@@ -1,8 +1,10 @@
 //! Texts of the messages about the range of motion: what is wrong, why, with numbers, and what to write instead.
 
+use super::efforts::{Least, Moment, Walked};
 use super::{End, Motion, Range, Singular, Unswept};
 use crate::check::messages::list;
-use crate::model::Within;
+use crate::equations::conditions;
+use crate::model::{Coordinate, EffortBound, Mechanism, Side, Within};
 use crate::numbers::{coordinate, significant};
 
 pub fn unswept(why: Unswept) -> String {
@@ -113,6 +115,92 @@ pub fn undecided(expectation: &str, motion: &Motion) -> String {
         End::Stuck => "the motion could not be followed through a singular position".to_string(),
     };
     format!("`{expectation}` could not be decided: {why}; leave it out of `expect`")
+}
+
+/// Why efforts cannot be followed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unfollowed {
+    /// That no driver fixes.
+    Freedoms(usize),
+    /// By reactions, on which it depends how the mechanism is pressed.
+    Friction,
+    NoStart,
+}
+
+pub fn unfollowed(name: &str, why: Unfollowed) -> String {
+    let why = match why {
+        Unfollowed::Freedoms(left) => format!(
+            "drivers leave {left} of the degrees of freedom, whose motion depends on the forces. Drive these too, or leave this out of `expect`"
+        ),
+        Unfollowed::Friction => {
+            "friction by reactions is not there yet along a driven motion. Leave this out of `expect`".to_string()
+        }
+        Unfollowed::NoStart => {
+            "at the start the drivers do not fix the motion: it is a singular position. Let the law of a driver begin elsewhere".to_string()
+        }
+    };
+    format!("`{name}` cannot be followed along the motion: {why}, and watch it as an output")
+}
+
+pub fn walk_not_whole(name: &str, walked: Walked) -> String {
+    let why = match walked {
+        Walked::Whole => "the motion was followed to its end".to_string(),
+        Walked::Bounded(steps) => format!(
+            "after {steps} positions the mechanism is not back where it began, as fast as there. It holds as far as that; drive it periodically"
+        ),
+        Walked::Stuck(time) => format!(
+            "at {} s the drivers fix no further position. Give them laws that the mechanism can follow",
+            number(time)
+        ),
+    };
+    format!("whether `{name}` stays beyond its bound could not be decided: {why}, or leave this out of `expect`")
+}
+
+pub fn beyond_bound(mechanism: &Mechanism, bound: &EffortBound, least: &Least) -> String {
+    let EffortBound { text, unit, .. } = bound;
+    let sign = if bound.side == Side::Above { '>' } else { '<' };
+    let driver = &mechanism.drivers[0];
+    let driven = conditions::name(mechanism, &driver.coordinate);
+    let (of_position, of_rate) = units_of(&driver.coordinate);
+    let at = |moment: &Moment| {
+        let place = if of_position == "deg" {
+            // At 360 deg it is where it is at none.
+            number(moment.position.to_degrees().rem_euclid(360.0))
+        } else {
+            number(moment.position)
+        };
+        format!("{driven} = {place} {of_position}")
+    };
+    let found = format!(
+        "expected {text} {sign} {} {unit}, but it is {} {unit} at {}, where `{}` goes at {} {of_rate}",
+        number(bound.bound),
+        number(least.value),
+        at(&least.at),
+        driver.name.text,
+        number(least.at.rate)
+    );
+    let advice = match bound.side {
+        Side::Above => "drive slower, move less mass, or let more press, such as a stiffer spring or more preload",
+        Side::Below => "drive slower, or move less mass",
+    };
+    match &least.fails {
+        Some((sigma, moment)) if *sigma > 0.0 => {
+            let share = if (moment.rate - least.at.rate).abs() <= 1e-9 * moment.rate.abs() {
+                format!("{} {of_rate}", significant(sigma * moment.rate, 6))
+            } else {
+                format!("{} of that speed", significant(*sigma, 6))
+            };
+            format!("{found}. Slower than {share} it is so all along, and then fails first at {}: {advice}", at(moment))
+        }
+        _ => format!("{found}. It is not so at rest either, so that no lower speed helps: let other forces act"),
+    }
+}
+
+fn units_of(coordinate: &Coordinate) -> (&'static str, &'static str) {
+    match coordinate {
+        Coordinate::Angle(_) => ("deg", "rad/s"),
+        _ => ("m", "m/s"),
+    }
 }
 
 /// The rule of Grashof on four links.

@@ -4,6 +4,7 @@
 //! Work is bounded ([`MOST_STEPS`]). Drivers are left out, parameters have their defaults, and places that move with
 //! time stand where they are at time zero. Only what `expect` or a tool asks about is followed.
 
+mod efforts;
 mod expected;
 mod linkage;
 mod messages;
@@ -11,6 +12,7 @@ mod path;
 mod reflected;
 mod sweep;
 
+pub use efforts::{Least, efforts};
 pub use expected::check;
 pub use linkage::{Linkage, TimeRatio, Transmission};
 pub use reflected::{Reflected, reflected};

@@ -175,6 +175,11 @@ impl<'a> Path<'a> {
         all.fold(1.0, f64::min).sqrt()
     }
 
+    /// The diagonal of W.
+    pub fn weights(&self) -> impl Iterator<Item = f64> + '_ {
+        self.scales.iter().map(|scale| scale * scale)
+    }
+
     /// Largest entry, lengths by the size of the mechanism.
     pub fn length(&self, increment: &[f64]) -> f64 {
         let scaled = increment.iter().zip(&self.scales).map(|(x, scale)| (x * scale).abs());

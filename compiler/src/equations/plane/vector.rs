@@ -21,7 +21,7 @@ pub fn axis(g: Sheet, which: usize) -> On<Pair> {
     g.on(if which == 0 { [one, zero] } else { [zero, one] })
 }
 
-fn pair<'g>(x: Scalar<'g>, y: Scalar<'g>) -> On<'g, Pair> {
+pub fn pair<'g>(x: Scalar<'g>, y: Scalar<'g>) -> On<'g, Pair> {
     x.g.on([x.bare, y.bare])
 }
 

@@ -11,7 +11,6 @@ use crate::model::unused::Scope;
 use crate::model::{Axes, BodyId, Curve, Expr, Frame, Function1, Place, Vector, fold, loads::normalised};
 use crate::syntax::{self, Path, PlaceTerm, TermKind};
 use crate::units::Dimension;
-use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// Passes for the foot on a profile, and the most of them.
@@ -282,39 +281,6 @@ impl<'d> Lowering<'d> {
             return None;
         }
         let entry = written.named.entry("radius")?;
-        let region = entry.value.region;
-        let index = match (&entry.value.kind, &entry.unit) {
-            (TermKind::Name(path), None) => self.names.table(&path.text),
-            _ => None,
-        };
-        let Some(index) = index else {
-            self.diagnostics.error(region, messages::profile_is_a_table());
-            return None;
-        };
-        self.used.insert((Scope::Table, &self.definition.tables[index].name.text));
-        let table = self.tables.get(index)?.clone()?;
-        let text = &table.name.text;
-        let [angle] = &table.arguments[..] else {
-            self.diagnostics.error(region, messages::profile_of_two(text));
-            return None;
-        };
-        for (what, expected, found) in [
-            (messages::knot_of(text), Dimension::ANGLE, angle.dimension),
-            (messages::value_of(text), Dimension::LENGTH, table.value.dimension),
-        ] {
-            if !found.fits(expected) {
-                self.diagnostics.error(region, messages::wrong_unit(&what, expected, found));
-                return None;
-            }
-        }
-        let Curve::Line { pieces, period: Some(period @ [_, length]) } = &*table.curve else {
-            self.diagnostics.error(region, messages::profile_not_closed(text, None));
-            return None;
-        };
-        if (length - TAU).abs() > 1e-9 {
-            self.diagnostics.error(region, messages::profile_not_closed(text, Some(*length)));
-            return None;
-        }
         let base = match written.named.entry("base") {
             Some(entry) => self.entry(entry, Dimension::LENGTH, Use::COEFFICIENT, "base")?,
             None => Expr::Number(0.0),
@@ -331,14 +297,13 @@ impl<'d> Lowering<'d> {
                 found as usize
             }
         };
-        let curve = Arc::new(Curve::Profile { pieces: pieces.clone(), period: *period, passes });
-        if let Some(base) = fold::evaluate(&base, self.defaults()) {
-            let least = curve.around(base).min_by(|a, b| a.1.total_cmp(&b.1));
-            if let Some((angle, radius)) = least.filter(|(_, radius)| *radius <= 0.0) {
-                let message = messages::profile_about_nothing(name, angle, radius);
-                self.diagnostics.error(region, message);
-                return None;
-            }
+        let curve = self.outline(entry, passes)?;
+        if let Some(base) = fold::evaluate(&base, self.defaults())
+            && let Some((angle, radius)) = curve.not_around(base)
+        {
+            let message = messages::profile_about_nothing(name, angle, radius);
+            self.diagnostics.error(entry.value.region, message);
+            return None;
         }
         Some(Shape::Profile { place, curve, base })
     }

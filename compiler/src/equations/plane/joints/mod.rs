@@ -4,6 +4,7 @@
 //! p₁, p₂ are the first and second place, θ₁, θ₂ the orientations of their bodies, Δ = p₂ − p₁. Kinds that need space do
 //! not arrive here: the language has no words for them in the plane.
 
+mod cam;
 mod cord;
 mod distance;
 mod fixed;
@@ -24,6 +25,7 @@ use crate::equations::laws::Laws;
 use crate::forms::{JointForm, RowForm};
 use crate::model::{BodyId, Expr, Frame, Joint, JointId};
 use crate::symbolic::{Node, On, Scalar};
+pub use cam::out_of_curve;
 
 /// What a joint exerts on the second place's body: force (world axes) at the second place, and torque about it.
 pub type Wrench<'g> = [Scalar<'g>; 3];
@@ -47,6 +49,7 @@ pub static JOINTS: &[&PlanarJoint] = &[
     &point_on_line::JOINT,
     &distance::JOINT,
     &cord::JOINT,
+    &cam::JOINT,
 ];
 
 /// The joint with a form, which is one of the list's own.
