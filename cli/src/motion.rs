@@ -1,12 +1,43 @@
 //! The range of motion, in words: what each joint goes through, where it turns back and where the input is then, where the constraints
-//! lose rank, time ratios and transmission angles.
+//! lose rank, time ratios and transmission angles; how near forces come to their bounds.
 
 use crate::text;
 use linkwright_compiler::Compiled;
-use linkwright_compiler::check::motion::{End, Linkage, Motion, Range, Unswept};
+use linkwright_compiler::check::motion::{End, Least, Linkage, Moment, Motion, Range, Unswept};
+use linkwright_compiler::model::{EffortBound, Side};
+use std::f64::consts::TAU;
 
 /// One line for each thing found; of mechanisms that cannot be followed, why.
 pub fn motion(compiled: &Compiled) -> Vec<String> {
+    let mut lines = of_linkage(compiled);
+    let bounds = &compiled.mechanism.expect.motion.efforts;
+    lines.extend(bounds.iter().zip(compiled.efforts()).map(|(bound, least)| effort(compiled, bound, &least)));
+    lines
+}
+
+/// `follow.force is 60.2341 N where it is least, at shaft.angle = 90 deg; 1.70835 times as fast it is 0 N`
+fn effort(compiled: &Compiled, bound: &EffortBound, least: &Least) -> String {
+    let (condition, _) = &compiled.complete.equations.driven[0];
+    let at = |moment: &Moment| {
+        let position = if condition.angular { moment.position.rem_euclid(TAU) } else { moment.position };
+        format!("at {} = {}", condition.of, number(position, condition.angular))
+    };
+    let what = if bound.side == Side::Above { "least" } else { "most" };
+    let EffortBound { text, unit, .. } = bound;
+    let line =
+        format!("{text} is {} {unit} where it is {what}, {}", text::number(least.value), at(&least.at));
+    match &least.fails {
+        Some((faster, moment)) => format!(
+            "{line}; {} times as fast as driven it is {} {unit} {}",
+            text::number(*faster),
+            text::number(bound.bound),
+            at(moment)
+        ),
+        None => line,
+    }
+}
+
+fn of_linkage(compiled: &Compiled) -> Vec<String> {
     match compiled.linkage() {
         Ok((motion, linkage)) => found(&motion, &linkage),
         Err(Unswept::InSpace) => vec!["found for planar mechanisms only".to_string()],

@@ -2,7 +2,7 @@
 
 use crate::check::assemble::loose::{self, Loose};
 use crate::check::assemble::{Assembly, Point};
-use crate::check::motion::{self, Linkage, Motion, Reflected, Unswept};
+use crate::check::motion::{self, Least, Linkage, Motion, Reflected, Unswept};
 use crate::check::{Blow, Vibration};
 use crate::choice::Choice;
 use crate::complete::Complete;
@@ -137,6 +137,12 @@ impl Compiled {
     /// The same, and what designers of linkages ask of it.
     pub fn linkage(&self) -> Result<(Motion, Linkage), Unswept> {
         motion::of_linkage(&self.mechanism, &self.complete.equations, &self.assembly)
+    }
+
+    /// The efforts that `expect` bounds, where they are nearest to that, and the speed at which they reach it.
+    pub fn efforts(&self) -> Vec<Least> {
+        let found = motion::efforts(&self.mechanism, &self.complete.equations, &self.assembly);
+        found.map_or(Vec::new(), |(found, _)| found)
     }
 
     /// Inertia and loads as each joint feels them at the start, of mechanisms with one degree of freedom.

@@ -34,7 +34,7 @@ linkwright::mechanism! {
         drive motor: shaft.angle = speed*time;
         force spring: force(rail) = -preload - stiffness*rail.travel;
 
-        expect { degrees_of_freedom = 1; }
+        expect { degrees_of_freedom = 1; follow.effort > 0; }
         output travel [m] = rail.travel;
         output steep [m/rad] = lift.slope(shaft.angle);
         output contact [N] = follow.effort;

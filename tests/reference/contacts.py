@@ -386,28 +386,11 @@ class Contacts:
         return ca.if_else(inside > 0, outside, inside)
 
     def _profile(self, center, surface):
-        """How far out of the curve. |p − c(φ)| is least at the foot φ, which Newton's method finds by derivatives of |p − c(φ)|², the second
-        kept from zero. There it is taken as given: with n and t of the curve there and its curvature κ the distance is d = n·(p − c) +
-        κ/(1 + κ d) (t·(p − p₀))²/2 and what is of third order in p − p₀, so that its first two derivatives are those of the distance."""
         place = self._place(surface)
         at = ca.mtimes(self._axes(place).T, center - self.kinematics.position(place))
         table = self.model.tables[surface["radius"]["value"]["name"]]
-        angle, point, base = ca.SX.sym("angle"), ca.SX.sym("point", 2), ca.SX.sym("base")
-        curve = (base + table(angle)) * ca.vertcat(ca.cos(angle), ca.sin(angle))
-        slope = ca.gradient(ca.sumsqr(point - curve) / 2, angle)
-        along = ca.jacobian(curve, angle)
-        steep, least = ca.jacobian(slope, angle), ca.sumsqr(along) / 4
-        step, bent = slope / ca.if_else(steep > least, steep, least), ca.jacobian(along, angle)
-        size, own = length(along), self._size(surface, "base", ca.SX(0))
-        foot = ca.atan2(at[1], at[0])
-        for _ in range(int(float(self._size(surface, "refine", REFINED)))):
-            # Passes make errors smaller, and not larger as their operations would have it.
-            foot = given(foot - ca.substitute(step, ca.vertcat(angle, point, base), ca.vertcat(foot, at, own)))
-        foot = given(foot)
-        known = [curve, along / size, (along[0] * bent[1] - along[1] * bent[0]) / size**3]
-        curve, t, curvature = (given(part) for part in ca.substitute(known, [angle, base], [foot, own]))
-        out, aside = ca.dot(ca.vertcat(t[1], -t[0]), at - curve), ca.dot(t, at - curve)
-        return out + given(curvature / (1 + curvature * given(out))) * (aside - given(aside)) ** 2 / 2
+        passes = int(float(self._size(surface, "refine", REFINED)))
+        return out_of_curve(at, table, self._size(surface, "base", ca.SX(0)), passes)
 
     def _about(self, center, radius, surface):
         axis, own, whole = self._axis(surface), self._size(surface, "radius"), self._size(surface, "length")
@@ -424,6 +407,28 @@ class Contacts:
         beside, beyond = ca.if_else(side > 0, side, 0), ca.if_else(end > 0, end, 0)
         nearer = ca.if_else(side > end, side, end)
         return ca.if_else(nearer > 0, length(ca.vertcat(beside, beyond)), nearer) - radius
+
+
+def out_of_curve(at, table, own, passes):
+    """How far out of the curve (own + table(φ)) e_r(φ) a place is. |p − c(φ)| is least at the foot φ, which Newton's method finds by derivatives of
+    |p − c(φ)|², the second kept from zero. There it is taken as given: with n and t of the curve there and its curvature κ the distance is
+    d = n·(p − c) + κ/(1 + κ d) (t·(p − p₀))²/2 and what is of third order in p − p₀, so that its first two derivatives are those of the distance."""
+    angle, point, base = ca.SX.sym("angle"), ca.SX.sym("point", 2), ca.SX.sym("base")
+    curve = (base + table(angle)) * ca.vertcat(ca.cos(angle), ca.sin(angle))
+    slope = ca.gradient(ca.sumsqr(point - curve) / 2, angle)
+    along = ca.jacobian(curve, angle)
+    steep, least = ca.jacobian(slope, angle), ca.sumsqr(along) / 4
+    step, bent = slope / ca.if_else(steep > least, steep, least), ca.jacobian(along, angle)
+    size = length(along)
+    foot = ca.atan2(at[1], at[0])
+    for _ in range(passes):
+        # Passes make errors smaller, and not larger as their operations would have it.
+        foot = given(foot - ca.substitute(step, ca.vertcat(angle, point, base), ca.vertcat(foot, at, own)))
+    foot = given(foot)
+    known = [curve, along / size, (along[0] * bent[1] - along[1] * bent[0]) / size**3]
+    curve, t, curvature = (given(part) for part in ca.substitute(known, [angle, base], [foot, own]))
+    out, aside = ca.dot(ca.vertcat(t[1], -t[0]), at - curve), ca.dot(t, at - curve)
+    return out + given(curvature / (1 + curvature * given(out))) * (aside - given(aside)) ** 2 / 2
 
 
 def length(vector):

@@ -59,6 +59,7 @@ class Joint:
     axis: ca.SX | None  # unit vector in the first's axes
     angle: ca.SX | None
     length: ca.SX | None
+    outline: tuple | None = None  # of a cam: table, base, radius of the roller
 
 
 class Model:
@@ -199,7 +200,11 @@ class Model:
             axis = _unit(pair(joint["axis"], self))
         angle = entry(joint["angle"], self) if joint.get("angle") else ca.SX(0)
         length = entry(joint["length"], self) if joint.get("length") else None
-        return Joint(name, kind, first, self.place(joint["second"]), axis, angle, length)
+        outline = None
+        if kind == "cam":
+            base, radius = (entry(joint[key], self) if joint.get(key) else ca.SX(0) for key in ("base", "radius"))
+            outline = self.tables[joint["lift"]["value"]["name"]], base, radius
+        return Joint(name, kind, first, self.place(joint["second"]), axis, angle, length, outline)
 
 
 def rotors_in_use(model):

@@ -18,6 +18,9 @@ import penalties
 from expressions import entry, evaluate
 
 
+FOOT_OF_CAM = 5  # passes of Newton's method for the foot of a cam's roller
+
+
 @dataclass
 class Pose:
     x: ca.SX
@@ -33,6 +36,10 @@ class Pose:
     def turn(self, vector):
         """Body axes to world axes: A vector, A = [c −s; s c]."""
         return ca.vertcat(self.c * vector[0] - self.s * vector[1], self.s * vector[0] + self.c * vector[1])
+
+    def unturn(self, vector):
+        """World axes to body axes."""
+        return ca.vertcat(self.c * vector[0] + self.s * vector[1], self.c * vector[1] - self.s * vector[0])
 
 
 @dataclass
@@ -264,6 +271,10 @@ class Kinematics:
             rows.append(Row(joint.name, "angle", value))
         if joint.kind in ("distance", "cord"):
             rows.append(Row(joint.name, "distance", (ca.dot(p2 - p1, p2 - p1) - joint.length**2) / 2))
+        if joint.kind == "cam":
+            table, base, radius = joint.outline
+            way = pose1.unturn(p2 - p1)
+            rows.append(Row(joint.name, "out", contacts.out_of_curve(way, table, base, FOOT_OF_CAM) - radius))
         if not rows:
             raise ValueError(f"{self.model.title}: joint `{joint.name}` is of the unknown kind `{joint.kind}`")
         return rows

@@ -66,10 +66,18 @@ pub(crate) fn polygon_not_convex(at: &str) -> String {
     )
 }
 
-pub(crate) fn profile_is_a_table() -> String {
-    "the radius of a profile is the name of a table of the angle: declare `table flank(turn [deg]) [mm] = [(0, 20), …, (360, 20)], periodic;` and \
-     write `radius = flank`"
-        .to_string()
+pub(crate) fn profile_is_a_table(argument: &str) -> String {
+    format!(
+        "`{argument}` of a profile is the name of a table of the angle: declare `table flank(turn [deg]) [mm] = [(0, 20), …, (360, 20)], periodic;` and \
+         write `{argument} = flank`"
+    )
+}
+
+pub(crate) fn roller_of_no_radius(name: &str, radius: f64) -> String {
+    format!(
+        "the roller of `{name}` has a radius of {} mm: it is positive, and left out for a knife edge",
+        number(1e3 * radius)
+    )
 }
 
 pub(crate) fn profile_of_two(table: &str) -> String {

@@ -15,6 +15,11 @@ pub(crate) fn load_instead_of_penalty(joint: &str, form: &JointForm) -> Option<S
             "a {kind} that yields is a spring: write `spring {joint}: spring(place, place, stiffness [N/m] = …, damping [N*s/m] = …, length [m] = …);` in place of the joint"
         ));
     }
+    if form.spans == Spans::Outline {
+        return Some(format!(
+            "a {kind} that yields is a contact: write `surface`s, a `profile` and a `circle`, and `contact {joint}: between(…, …) = kelvin_voigt(stiffness [N/m] = …, damping [N*s/m] = …);` in place of the joint"
+        ));
+    }
     form.winds().then(|| {
         format!(
             "`{joint}` is a {kind}, whose travel follows an angle counted over its turns, and a penalty counts none: write `cylindrical(…) = penalty(…)` and \

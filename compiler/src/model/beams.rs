@@ -328,8 +328,8 @@ impl<'d> Lowering<'d> {
     /// What joints with beams cannot do.
     pub(super) fn joint_of_beam(&mut self, joint: &'d syntax::Joint, lowered: &Joint) -> Option<()> {
         let form = lowered.form;
-        let takes_axes = self.definition.space == Space::Planar
-            && (!form.travels.is_empty() || lowered.curve.is_some());
+        let takes_axes =
+            self.definition.space == Space::Planar && (!form.travels.is_empty() || lowered.curve.is_some());
         if self.bends(lowered.first.frame) && takes_axes {
             let (name, kind) = (&joint.name.text, form.call.word);
             let message = messages::beam_first(name, kind, &lowered.first.text);

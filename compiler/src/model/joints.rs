@@ -62,7 +62,9 @@ impl<'d> Lowering<'d> {
                 Value::Diagonal(dimension) => {
                     scalars.extend(self.diagonal(&joint.named, argument.name, dimension)?);
                 }
-                Value::Outline => curve = Some(self.outline(joint.named.entry(argument.name)?, PASSES)?),
+                Value::Outline => {
+                    curve = Some(self.outline(argument.name, joint.named.entry(argument.name)?, PASSES)?)
+                }
                 // Joints resist no way.
                 Value::Varying(_)
                 | Value::RateOf { .. }
@@ -161,7 +163,7 @@ impl<'d> Lowering<'d> {
         let (argument, message) = if let Some((angle, least)) = curve.not_around(base) {
             ("lift", messages::profile_about_nothing(name, angle, least))
         } else if radius < 0.0 {
-            ("radius", messages::size_of_load("radius", name, radius))
+            ("radius", messages::roller_of_no_radius(name, radius))
         } else if let Some((angle, hollow)) = curve.hollow(base).filter(|(_, hollow)| *hollow <= radius) {
             ("radius", messages::undercut_by_roller(name, radius, curve.name(), angle, hollow))
         } else {

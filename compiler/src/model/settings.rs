@@ -5,8 +5,8 @@ use super::lower::Use;
 use super::names::Part;
 use super::values::Typed;
 use super::{
-    Budget, Coordinate, Coordinates, EffortBound, Emit, Expect, Expr, JointId, Options, Redundant, Rotor, SolvedBy, Space,
-    Turning, Within,
+    Budget, Coordinate, Coordinates, EffortBound, Emit, Expect, Expr, JointId, Options, Redundant, Rotor,
+    SolvedBy, Space, Turning, Within,
 };
 use crate::diagnostics::Region;
 use crate::messages;

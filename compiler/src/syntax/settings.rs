@@ -1,8 +1,8 @@
 //! The blocks `start`, `options` and `expect`.
 
 use super::definition::{
-    Budget, Budgeted, EMITTED, ExpectEntry, Label, Operator, OptionEntry, OrientationEntry, Path, RangeTerm, Side,
-    StartEntry, Term, TermKind, WrittenUnit,
+    Budget, Budgeted, EMITTED, ExpectEntry, Label, Operator, OptionEntry, OrientationEntry, Path, RangeTerm,
+    Side, StartEntry, Term, TermKind, WrittenUnit,
 };
 use super::parser::{Parsed, Parser};
 use super::token::{Cursor, Kind};

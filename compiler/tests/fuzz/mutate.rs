@@ -120,6 +120,9 @@ const TEMPLATES: [&str; 50] = [
     "joint new : universal ( P , P , axis = ( 1 , 0 , 0 ) , second_axis = ( 0 , 1 , 0 ) ) ;",
     "joint new : spherical ( P , P ) ;",
     "joint new : distance ( P , P , length = X ) ;",
+    "table outline ( angle [ deg ] ) [ mm ] = [ ( 0 , 0 ) , ( 90 , # ) , ( 180 , 1 ) , ( 360 , 0 ) ] , periodic ;",
+    "joint new : cam ( P , P , lift = outline , base [ m ] = # , radius = X ) ;",
+    "expect { J . force > # ; J . reaction . size [ N ] < X ; }",
     "joint new : point_on_line ( line ( P , P ) , P ) ;",
     "joint new : point_on_plane ( P , P , axis = ( # , # , # ) ) ;",
     "joint new : constant_velocity ( P , P , axis = ( # , # , # ) ) ;",
@@ -256,7 +259,7 @@ fn swap_names(random: &mut Random, tokens: &mut Vec<String>, _: &[String]) {
 const CLASSES: [&str; 11] = [
     "body rod disk box sphere cylinder particle beam flexible",
     "revolute prismatic fixed distance spherical universal cylindrical planar screw constant_velocity point_on_line \
-     point_on_plane",
+     point_on_plane cam",
     "angle rate travel speed x y z velocity origin center start end angle_1 rate_1 angle_2 travel_2",
     "sin cos tan asin acos exp ln sqrt abs sign",
     "planar spatial",

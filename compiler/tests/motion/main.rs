@@ -1,5 +1,6 @@
 //! Mobility and range of motion against closed forms.
 
+mod efforts;
 mod four_bars;
 mod linkages;
 mod mobility;

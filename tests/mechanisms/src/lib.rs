@@ -12,6 +12,7 @@ pub mod zoo_beams_in_space;
 pub mod zoo_beams_thick;
 pub mod zoo_bristles;
 pub mod zoo_cables;
+pub mod zoo_cams;
 pub mod zoo_contacts;
 pub mod zoo_friction;
 pub mod zoo_gates;

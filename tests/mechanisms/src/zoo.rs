@@ -235,6 +235,7 @@ macro_rules! for_each_in_zoo {
             hoisted: $crate::zoo_cables::Hoisted,
             loose_loop: $crate::zoo_loose::LooseLoop,
             loose_ball: $crate::zoo_loose::LooseBall,
+            cammed: $crate::zoo_cams::Cammed,
             touching: $crate::zoo_contacts::Touching,
             bumping: $crate::zoo_contacts::Bumping,
             profiled: $crate::zoo_profiles::Profiled,

@@ -66,11 +66,13 @@ pub fn check(mechanism: &Mechanism, equations: &Equations, assembly: &Assembly, 
     };
     for (bound, least) in bounds.iter().zip(&found) {
         let margin = margin(bound, least.value);
-        if margin.is_nan() || margin <= 0.0 {
-            errors.error(bound.span, messages::beyond_bound(mechanism, bound, least));
-        } else if walked != Walked::Whole {
-            errors.error(bound.span, messages::walk_not_whole(&bound.text, walked));
-        }
+        let message = match walked {
+            _ if margin.is_nan() || margin <= 0.0 => messages::beyond_bound(mechanism, bound, least),
+            Walked::Whole => continue,
+            Walked::Bounded(instants) => messages::walk_without_end(&bound.text, instants),
+            Walked::Stuck(time) => messages::walk_that_stops(&bound.text, time),
+        };
+        errors.error(bound.span, message);
     }
 }
 
@@ -80,7 +82,9 @@ pub fn efforts(
     equations: &Equations,
     assembly: &Assembly,
 ) -> Result<(Vec<Least>, Walked), Unfollowed> {
-    if let Some(left) = assembly.mobility.generic.checked_sub(mechanism.drivers.len()).filter(|left| *left > 0) {
+    if let Some(left) =
+        assembly.mobility.generic.checked_sub(mechanism.drivers.len()).filter(|left| *left > 0)
+    {
         return Err(Unfollowed::Freedoms(left));
     }
     if !equations.friction.is_none() {
@@ -299,7 +303,11 @@ impl<'a> Walk<'a> {
         for _ in 0..SECTIONS {
             let width = golden * (to - from);
             let (Some(low), Some(high)) = (at(self, to - width), at(self, from + width)) else { break };
-            if low.0 < high.0 { to -= golden.powi(2) * (to - from) } else { from += golden.powi(2) * (to - from) }
+            if low.0 < high.0 {
+                to -= golden.powi(2) * (to - from)
+            } else {
+                from += golden.powi(2) * (to - from)
+            }
             for found in [low, high] {
                 if found.0 < best.0 {
                     best = found;

@@ -1,6 +1,6 @@
 //! Texts of the messages about the range of motion: what is wrong, why, with numbers, and what to write instead.
 
-use super::efforts::{Least, Moment, Walked};
+use super::efforts::{Least, Moment};
 use super::{End, Motion, Range, Singular, Unswept};
 use crate::check::messages::list;
 use crate::equations::conditions;
@@ -142,18 +142,19 @@ pub fn unfollowed(name: &str, why: Unfollowed) -> String {
     format!("`{name}` cannot be followed along the motion: {why}, and watch it as an output")
 }
 
-pub fn walk_not_whole(name: &str, walked: Walked) -> String {
-    let why = match walked {
-        Walked::Whole => "the motion was followed to its end".to_string(),
-        Walked::Bounded(steps) => format!(
-            "after {steps} positions the mechanism is not back where it began, as fast as there. It holds as far as that; drive it periodically"
-        ),
-        Walked::Stuck(time) => format!(
-            "at {} s the drivers fix no further position. Give them laws that the mechanism can follow",
-            number(time)
-        ),
-    };
-    format!("whether `{name}` stays beyond its bound could not be decided: {why}, or leave this out of `expect`")
+pub fn walk_without_end(name: &str, instants: usize) -> String {
+    format!(
+        "whether `{name}` stays beyond its bound could not be decided: it does so at {instants} positions, and the mechanism is not back where it \
+         began, as fast as there; give its drivers periodic laws, or leave this out of `expect`"
+    )
+}
+
+pub fn walk_that_stops(name: &str, time: f64) -> String {
+    format!(
+        "whether `{name}` stays beyond its bound could not be decided: after {} s there is no position that the drivers ask for; give them laws \
+         that the mechanism can follow, or leave this out of `expect`",
+        number(time)
+    )
 }
 
 pub fn beyond_bound(mechanism: &Mechanism, bound: &EffortBound, least: &Least) -> String {
@@ -180,7 +181,9 @@ pub fn beyond_bound(mechanism: &Mechanism, bound: &EffortBound, least: &Least) -
         number(least.at.rate)
     );
     let advice = match bound.side {
-        Side::Above => "drive slower, move less mass, or let more press, such as a stiffer spring or more preload",
+        Side::Above => {
+            "drive slower, move less mass, or let more press, such as a stiffer spring or more preload"
+        }
         Side::Below => "drive slower, or move less mass",
     };
     match &least.fails {
@@ -190,9 +193,14 @@ pub fn beyond_bound(mechanism: &Mechanism, bound: &EffortBound, least: &Least) -
             } else {
                 format!("{} of that speed", significant(*sigma, 6))
             };
-            format!("{found}. Slower than {share} it is so all along, and then fails first at {}: {advice}", at(moment))
+            format!(
+                "{found}. Slower than {share} it is so all along, and then fails first at {}: {advice}",
+                at(moment)
+            )
         }
-        _ => format!("{found}. It is not so at rest either, so that no lower speed helps: let other forces act"),
+        _ => format!(
+            "{found}. It is not so at rest either, so that no lower speed helps: let other forces act"
+        ),
     }
 }
 

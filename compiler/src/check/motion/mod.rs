@@ -12,7 +12,7 @@ mod path;
 mod reflected;
 mod sweep;
 
-pub use efforts::{Least, efforts};
+pub use efforts::{Least, Moment, efforts};
 pub use expected::check;
 pub use linkage::{Linkage, TimeRatio, Transmission};
 pub use reflected::{Reflected, reflected};

@@ -297,7 +297,7 @@ impl<'d> Lowering<'d> {
                 found as usize
             }
         };
-        let curve = self.outline(entry, passes)?;
+        let curve = self.outline("radius", entry, passes)?;
         if let Some(base) = fold::evaluate(&base, self.defaults())
             && let Some((angle, radius)) = curve.not_around(base)
         {

@@ -46,14 +46,19 @@ impl Curve {
 
 impl<'d> Lowering<'d> {
     /// The closed curve that a table is, with so many passes for the foot on it.
-    pub(in crate::model) fn outline(&mut self, entry: &'d Entry, passes: usize) -> Option<Arc<Curve>> {
+    pub(in crate::model) fn outline(
+        &mut self,
+        argument: &str,
+        entry: &'d Entry,
+        passes: usize,
+    ) -> Option<Arc<Curve>> {
         let region = entry.value.region;
         let index = match (&entry.value.kind, &entry.unit) {
             (TermKind::Name(path), None) => self.names.table(&path.text),
             _ => None,
         };
         let Some(index) = index else {
-            self.diagnostics.error(region, messages::profile_is_a_table());
+            self.diagnostics.error(region, messages::profile_is_a_table(argument));
             return None;
         };
         self.used.insert((Scope::Table, &self.definition.tables[index].name.text));

@@ -1,9 +1,9 @@
 //! Cam: a roller, or a knife edge of radius 0, stays on a closed curve about the first place: d(p) − r = 0.
 //!
-//! d is how far the second place p is out of the curve along its normal n, in the axes of the first body, ∂d/∂p = n and |n| = 1: the multiplier
-//! is the force between curve and roller, −λ pressing. The point of contact is eliminated by the foot of p on the curve
-//! (`equations/look_up/profile.rs`); a curve without jumps of its curvature gives accelerations without jumps. A joint of another kind would bring the
-//! foot as a coordinate without mass, or a table of the pitch curve, which is not exact.
+//! d is how far the second place p is out of the curve along its normal n, in the axes of the first body, ∂d/∂p = n and |n| = 1: −λ is the
+//! force that presses curve and roller together. The foot of p on the curve is found in passes that are written out
+//! (`equations/look_up/profile.rs`). That is exact to rounding, as the offset of a table is not, and needs no coordinate without mass, which formulations that
+//! factorise M could not have. A curve whose curvature has no jumps gives accelerations without jumps.
 
 use super::{Ends, JointRow, Pair, PlanarJoint, vector};
 use crate::drawing::canvas::Pen;
@@ -12,9 +12,7 @@ use crate::equations::jet::Moving;
 use crate::equations::laws::Laws;
 use crate::equations::look_up;
 use crate::forms::row::CURVE;
-use crate::forms::{
-    Alone, Argument, Form, JointAxes, JointForm, Need, OfParticle, PLACES, Spans, Value,
-};
+use crate::forms::{Alone, Argument, Form, JointAxes, JointForm, Need, OfParticle, PLACES, Spans, Value};
 use crate::model::{Joint, LookUp};
 use crate::symbolic::{On, Orders};
 use crate::units::Dimension;
