@@ -120,7 +120,7 @@ fn a_profile_is_a_closed_curve_about_its_place() {
             KNOTS,
             ", periodic",
             "radius = 20 [mm]",
-            "the radius of a profile is the name of a table of the angle: declare `table flank(turn [deg]) [mm] = [(0, 20), …, (360, 20)], \
+            "`radius` of a profile is the name of a table of the angle: declare `table flank(turn [deg]) [mm] = [(0, 20), …, (360, 20)], \
              periodic;` and write `radius = flank`",
         ),
         (

@@ -111,6 +111,7 @@ fn named(argument: &Argument, space: Space) -> String {
             Value::Way | Value::Stiffness | Value::Exponent | Value::Backbone | Value::OfGap | Value::Word,
             _,
         ) => "…".to_string(),
+        (Value::Outline, _) => "table".to_string(),
         (Value::TeethStiffness | Value::TeethDamping, _) => "…".to_string(),
     };
     format!("{} = {value}", argument.name)
