@@ -2,6 +2,7 @@
 
 mod beams;
 mod builder;
+mod cams;
 mod contacts;
 mod coverage;
 mod definitions;

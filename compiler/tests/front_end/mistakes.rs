@@ -626,7 +626,10 @@ const MISTAKES: &[(&str, &str)] = &[
     ("expect { rotates = (base, knees); }", r#"no joint or body called "knees"; did you mean "knee"?"#),
     ("expect { rotates; }", "expected `=`, found `;`"),
     ("expect { no_singularity = 1; }", "expected `;`, found `=`"),
-    ("expect { knee.angle = 1; }", "expected `in` and a range such as `10..170 [deg]`, found `=`"),
+    (
+        "expect { knee.angle = 1; }",
+        "expected `in` and a range such as `10..170 [deg]`, or `>` or `<` and a force, found `=`",
+    ),
     ("expect { knee.angle in 1 [rad]; }", "expected `..`, found `;`"),
     (
         "expect { knee.angle in 170..10 [deg]; }",

@@ -45,7 +45,8 @@ fn cam(follow: &str, speed: f64) -> String {
 fn a_follower_leaves_its_cam_as_the_source_says() {
     let law = cam("constraint follow: rail.travel = lift(shaft.angle);", 100.0);
     let found = least(&format!("{law} expect {{ follow.effort > 0; }} }}"));
-    near(found.value, 60.2341177801, 1e-12, "least force");
+    // At a knot, where the force has a corner.
+    near(found.value, 60.2341177801, 1e-11, "least force");
     let is_there = |position: f64| [90.0, 210.0].iter().any(|at| (position.to_degrees() - at).abs() < 1e-5);
     assert!(is_there(found.at.position), "{found:?}");
     let (faster, at) = found.fails.expect("it leaves");
@@ -82,7 +83,7 @@ fn an_eccentric_with_a_roller_is_a_slider_crank() {
             (random.between(2.0, 12.0), random.between(25.0, 40.0), random.between(0.0, 15.0));
         let speed = random.between(20.0, 60.0);
         let radius = |k: usize| {
-            let angle = TAU * k as f64 / 360.0;
+            let angle = TAU * k as f64 / 720.0;
             e * angle.cos() + (rim * rim - (e * angle.sin()).powi(2)).sqrt()
         };
         let source = format!(
@@ -95,7 +96,7 @@ fn an_eccentric_with_a_roller_is_a_slider_crank() {
                 force spring: force(rail) = -10 [N] - 4000 [N/m]*rail.travel;
                 drive motor: shaft.angle = {speed} [rad/s]*time; start {{ rail.travel [mm] ~ {}; }}
                 expect {{ follow.force > 0; }} }}",
-            table(radius, 361),
+            table(radius, 721),
             rim + roller
         );
         let (e, long) = (1e-3 * e, 1e-3 * (rim + roller));
@@ -111,9 +112,9 @@ fn an_eccentric_with_a_roller_is_a_slider_crank() {
             all.fold(f64::INFINITY, f64::min)
         };
         let found = least(&source);
-        near(found.value, lowest(speed), 1e-7, &source);
+        near(found.value, lowest(speed), 1e-6, "least force");
         let (faster, _) = found.fails.expect("it leaves");
-        assert!(lowest(faster * speed).abs() < 1e-6 * found.value, "{source}: {found:?}");
+        assert!(lowest(faster * speed).abs() < 1e-6 * found.value, "{e} {long} {speed}: {found:?}");
     }
 }
 
@@ -123,7 +124,7 @@ fn a_swung_bar_pulls_at_its_pin() {
     let (amplitude, omega) = (1.3, 4.0);
     let found = least(
         "planar Swung { rod bar { mass [kg] = 2; length [m] = 0.5; } joint pin: revolute(ground(0, 0) [m], bar.start);
-            drive motor: pin.angle = 1.3*sin(4 [rad/s]*time); expect { pin.reaction.size < 100 [N]; } }",
+            drive motor: pin.angle = 1.3 [rad]*sin(4 [rad/s]*time); expect { pin.reaction.size < 100 [N]; } }",
     );
     let pull = |k: u32| {
         let phase = TAU * f64::from(k) / 1e5;
@@ -160,7 +161,7 @@ fn what_drivers_do_not_fix_is_named() {
     }
     let text = errors(
         "planar Stretched {
-            rod crank { mass [kg] = 1; length [m] = 1; } rod link { mass [kg] = 1; length [m] = 2; } particle block { mass [kg] = 1; }
+            rod crank { mass [kg] = 1; length [m] = 1; } rod link { mass [kg] = 1; length [m] = 2; } body block { mass [kg] = 1; inertia [kg*m^2] = 1; }
             joint main: revolute(ground(0, 0) [m], crank.start); joint big: revolute(crank.end, link.start);
             joint wrist: revolute(link.end, block.center);
             joint bore: prismatic(ground(0, 0) [m], block.center, axis = (1, 0));

@@ -8,7 +8,7 @@ linkwright::mechanism! {
         body follower { mass [kg] = 0.3; inertia [kg*m^2] = 0; }
         joint shaft: revolute(ground(0, 0) [m], cam.center);
         joint rail: prismatic(ground(0, 0) [m], follower.center, axis = (0, 1));
-        joint follow: cam(cam.center, follower.center, lift = lobe, base [mm] = 30, radius [mm] = 25);
+        joint follow: cam(cam.center, follower.center, lift = lobe, base [mm] = 10, radius [mm] = 25);
     }
 }
 

@@ -10,7 +10,7 @@ linkwright::mechanism! {
         joint rail: prismatic(ground(0, 0) [m], follower.center, axis = (0, 1));
         joint follow: cam(cam.center, follower.center, lift = lobe, base [mm] = 30, radius [mm] = 5);
         force spring: force(rail) = -30 [N];
-        drive motor: shaft.angle = 90 [rad/s]*time;
+        drive motor: shaft.angle = 300 [rad/s]*time;
         start { rail.travel [mm] ~ 40; }
         expect { follow.force > 0; }
     }
