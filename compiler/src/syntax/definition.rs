@@ -407,7 +407,6 @@ pub const EMITTED: [&str; 4] = ["penalty", "projection", "null_space", "tangent"
 
 /// One line of `expect { … }`.
 #[derive(Clone, Debug)]
-#[expect(clippy::large_enum_variant, reason = "there are few of them, and each lives in one vector")]
 pub enum ExpectEntry {
     DegreesOfFreedom(usize, Region),
     Budget(Budget),
