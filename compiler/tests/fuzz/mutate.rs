@@ -109,7 +109,7 @@ fn foreign_statement(random: &mut Random, tokens: &mut Vec<String>, other: &[Str
 
 /// A statement that fits the names of the definition: `J` is a joint, `B` a body, `P` a place, `Q` a quantity, `L` a
 /// load, `X` a value, `#` a number.
-const TEMPLATES: [&str; 50] = [
+const TEMPLATES: [&str; 53] = [
     "joint new : revolute ( P , P ) ;",
     "joint new : revolute ( P , P ) = penalty ( stiffness = X , damping = X ) ;",
     "joint new : fixed ( P , P ) = penalty ( stiffness = X , torsional_stiffness = X , damping_along = line , smallest = X ) ;",
