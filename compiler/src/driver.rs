@@ -109,10 +109,13 @@ fn start_of_model(mechanism: Mechanism, asked: Coordinates) -> Result<Start, Dia
         return Err(errors);
     }
     // AFTER THIS POINT what will be written out is of a size to be read.
+    let Some((mechanism, equations, stand)) = assemble::taken_up(mechanism, equations, &mut errors) else {
+        return Err(errors);
+    };
     let Some((mechanism, equations)) = assemble::deflected(mechanism, equations, &mut errors) else {
         return Err(errors);
     };
-    match assemble::assemble(&mechanism, &equations, &mut errors) {
+    match assemble::assemble(&mechanism, &equations, stand, &mut errors) {
         Some(assembly) => Ok(Start { mechanism, equations, assembly }),
         None => Err(errors),
     }

@@ -189,10 +189,11 @@ pub fn start_conditions(laws: &Laws) -> Conditions {
     let mut conditions = Conditions::default();
     let zero = laws.g.zero().bare;
     for (id, joint) in laws.mechanism.joints.iter().enumerate().filter(|(_, joint)| !joint.holds()) {
-        let position = (!is_placed(laws.mechanism, joint)).then_some(zero);
+        let position = (!joint.eased && !is_placed(laws.mechanism, joint)).then_some(zero);
+        let rate = (!joint.eased).then_some(zero);
         for row in that_yield(laws, JointId(id)) {
             let closing = condition(laws, &Coordinate::Closing(JointId(id), row.form));
-            conditions.push(closing, StartTarget { position, rate: Some(zero) });
+            conditions.push(closing, StartTarget { position, rate });
         }
     }
     for start in laws.mechanism.start.iter().filter(|start| start.exact) {

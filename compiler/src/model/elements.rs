@@ -25,6 +25,8 @@ pub struct Joint {
     pub penalty: Option<LoadId>,
     /// The contact between its surfaces, where it has play.
     pub loose: Option<LoadId>,
+    /// Whether a loop closes only with its play, so that its centres start apart.
+    pub eased: bool,
 }
 
 impl Joint {

@@ -84,7 +84,8 @@ impl<'d> Lowering<'d> {
         let (name, penalty) = (name(&joint.name), self.load_of_joint(joint));
         let loose = self.contact_named(&joint.name.text).map(|contact| self.load_of_contact(contact));
         let form = joint.form;
-        let lowered = Joint { name, form, first, second, directions, scalars, curve, penalty, loose };
+        let eased = false;
+        let lowered = Joint { name, form, first, second, directions, scalars, curve, penalty, loose, eased };
         self.refused(joint, &lowered)?;
         self.rolls(joint, &lowered)?;
         self.two_bodies(joint, &lowered.first, &lowered.second)?;

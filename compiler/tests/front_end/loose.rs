@@ -120,3 +120,52 @@ fn one_message_for_each_mistake() {
         Elsewhere surfaces with a gap between them and a `contact` say it",
     );
 }
+
+/// Two rods between hinges 1 m apart that are `short` m too short, with play at the first hinge and between both rods, in mm.
+fn short_rods(short: f64, plays: [f64; 2]) -> String {
+    let [first, second] = plays;
+    let length = 0.5 - short;
+    format!(
+        "planar Rods {{ rod a {{ mass [kg] = 1; length [m] = 0.5; }} rod b {{ mass [kg] = 1; length [m] = {length}; }}
+         joint left: revolute(ground(0, 0) [m], a.start, play [mm] = {first}, radius [mm] = 10) = {LAW};
+         joint knee: revolute(a.end, b.start, play [mm] = {second}, radius [mm] = 10) = {LAW};
+         joint right: revolute(b.end, ground(1, 0) [m]);
+         output at_left [mm] = left.eccentricity; output at_knee [mm] = knee.eccentricity;
+         start {{ a.angle [rad] ~ 0.01; b.angle [rad] ~ 0; }} }}"
+    )
+}
+
+/// What is missing is taken up by parts of the clearances: e₁ + e₂ is what is missing, and Σ (e/c)² the least. Beyond them the loop does not close.
+#[test]
+fn loops_that_close_only_with_play() {
+    for (short, plays) in [(0.5e-3, [0.1, 0.5]), (0.3e-3, [0.2, 0.2])] {
+        for coordinates in ["absolute", "tree"] {
+            let source = short_rods(short, plays)
+                .replace("start {", &format!("options {{ coordinates = {coordinates}; }} start {{"));
+            let compiled = compiled(&source);
+            let inputs = Inputs {
+                q: compiled.assembly.q.clone(),
+                v: compiled.assembly.v.clone(),
+                parameters: Vec::new(),
+                ..Inputs::default()
+            };
+            let prepared = run(compiled.programs.get(Function::Prepare), &inputs);
+            let inputs = Inputs { prepared, ..inputs };
+            let found = run(compiled.programs.get(Function::Outputs), &inputs);
+            let weights = plays.map(|play| play * play);
+            for (found, weight) in found.iter().zip(weights) {
+                let expected = short * weight / (weights[0] + weights[1]);
+                assert!((found - expected).abs() < 1e-9, "{plays:?}: {found} for {expected}");
+            }
+        }
+    }
+    let source = short_rods(0.8e-3, [0.2, 0.5]);
+    let found = compile(source.parse().expect("tokens"), None).expect_err("it cannot close").to_string();
+    assert!(
+        found.contains(
+            "the loop does not close: where the centres of `left` and `knee` come nearest they stay 0.8 mm apart, of which the play takes up 0.7 mm; \
+             change a length, or the play"
+        ),
+        "{found}"
+    );
+}

@@ -20,6 +20,7 @@ pub mod loose;
 mod mobility;
 mod partition;
 pub(crate) mod pins;
+mod plays;
 mod point;
 mod position;
 mod quaternion;
@@ -38,6 +39,7 @@ pub use freedoms::Mobility;
 pub use gap::Gap;
 pub use mobility::{full_squares, rank};
 pub use partition::partition;
+pub use plays::taken_up;
 pub use point::{Ancestry, Point, live, retract};
 pub use scales::row_scales;
 pub use statics::deflected;
@@ -75,13 +77,21 @@ pub struct Assembly {
     pub near: usize,
 }
 
-/// Puts the mechanism together; reports why if it cannot.
-pub fn assemble(mechanism: &Mechanism, equations: &Equations, errors: &mut Diagnostics) -> Option<Assembly> {
+/// Puts the mechanism together, in a position if that is known; reports why if it cannot.
+pub fn assemble(
+    mechanism: &Mechanism,
+    equations: &Equations,
+    stand: Option<Vec<f64>>,
+    errors: &mut Diagnostics,
+) -> Option<Assembly> {
     let candidates = candidates(mechanism, equations);
     let mut point = Point::at_defaults(mechanism, equations, &[]);
 
     let problem = problem(mechanism, equations, &mut point);
-    let assembled = attempts::closed(mechanism, &problem, &mut point, errors)?;
+    let assembled = match stand {
+        Some(q) => problem.settled(&mut point, q),
+        None => attempts::closed(mechanism, &problem, &mut point, errors)?,
+    };
     let assembled = attempts::settle_turns(&problem, &mut point, assembled);
     let assembled = teeth::meet(mechanism, &problem, &mut point, assembled, errors)?;
     let q = assembled.q;

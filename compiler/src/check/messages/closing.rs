@@ -158,6 +158,18 @@ pub fn cannot_start(searched: usize) -> String {
     )
 }
 
+/// Of each joint with play: how far its centres are apart, and its clearance.
+pub fn loop_beyond_play(joints: &[(&str, (f64, f64))]) -> String {
+    let names: Vec<String> = joints.iter().map(|(name, _)| format!("`{name}`")).collect();
+    let mm = |of: fn(&(f64, f64)) -> f64| number(1e3 * joints.iter().map(|(_, it)| of(it)).sum::<f64>());
+    format!(
+        "the loop does not close: where the centres of {} come nearest they stay {} mm apart, of which the play takes up {} mm; change a length, or the play",
+        list(&names),
+        mm(|it| it.0),
+        mm(|it| it.1)
+    )
+}
+
 /// `reach`: the nearest distance, that without play, and the farthest.
 pub fn teeth_out_of_reach([first, second]: [&str; 2], found: f64, reach: [f64; 3]) -> String {
     let mm = |length: f64| number(1e3 * length);
