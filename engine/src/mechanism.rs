@@ -5,7 +5,7 @@ use linkwright_compiler::functions::Argument::{
     Acceleration, BetaSquared, Gates, Inputs, Lambda, Q, Time, TwoAlpha, V, Z,
 };
 use linkwright_compiler::functions::Function;
-use linkwright_runtime::{Layout, Mechanism, Row, StateOf, Variables, Vector, unwrap_angle};
+use linkwright_runtime::{Layout, Mechanism, Row, StateOf, Trigger, Variables, Vector, unwrap_angle};
 use std::slice::from_ref;
 
 impl<D: 'static> Variables<f64> for Engine<D> {
@@ -107,6 +107,17 @@ impl<D: 'static> Mechanism<f64> for Engine<D> {
     }
     fn gate_names(&self) -> &[&'static str] {
         self.shared.tables.gates
+    }
+    fn memory_names(&self) -> &[&'static str] {
+        self.shared.tables.memories
+    }
+    fn triggers(&self) -> &[Trigger] {
+        &self.shared.tables.triggers
+    }
+    fn assignments(&self, time: f64, state: &StateOf<Self>, u: &Numbers, after: &mut List) {
+        if self.has(Function::Assignments) {
+            self.at_state(time, state, u).results(Function::Assignments, &mut [after.as_mut_slice()]);
+        }
     }
     fn guards(&self, time: f64, state: &StateOf<Self>, gaps: &mut List, forces: &mut List) {
         if !self.gate_names().is_empty() {

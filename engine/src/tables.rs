@@ -6,9 +6,9 @@ use linkwright_compiler::forms::row::Whole;
 use linkwright_compiler::functions::{
     CONDITION_JACOBIAN, DERIVATIVES, Function, JACOBIAN, MASS, MOTION, REACTION, Shape, Sparse,
 };
-use linkwright_compiler::model::Name;
+use linkwright_compiler::model::{Name, Occasion, Way};
 use linkwright_compiler::schedule::Operand;
-use linkwright_runtime::{Condition, ConditionKind, Elimination, Flips, Layout, MultiTurn, Row};
+use linkwright_runtime::{Condition, ConditionKind, Elimination, Flips, Layout, MultiTurn, Row, Trigger};
 
 /// Row and column of each stored entry of a matrix.
 pub type Pattern = Vec<(u16, u16)>;
@@ -21,9 +21,11 @@ pub struct Tables {
     pub positions: &'static [&'static str],
     pub velocities: &'static [&'static str],
     pub internal: &'static [&'static str],
-    /// The contact of each gate that is held, and the gates at the start.
+    /// The contact of each gate that is held, events and memories, and what is held at the start.
     pub gates: &'static [&'static str],
     pub start_gates: Vec<f64>,
+    pub memories: &'static [&'static str],
+    pub triggers: Vec<Trigger>,
     /// Whether contacts are rigid.
     pub rigid: bool,
     /// Of each gate that of the gap which presses, where it is dry friction.
@@ -106,7 +108,9 @@ impl Tables {
                 .collect(),
             positions: names::list(equations.layout.position_names(mechanism)),
             velocities: names::list(equations.layout.velocity_names(mechanism)),
-            gates: names_of(mechanism.gates().map(|(load, _)| &mechanism.loads[load.0].name).collect()),
+            gates: names_of(mechanism.held_names()),
+            memories: names_of(mechanism.memories.iter().map(|memory| &memory.name).collect()),
+            triggers: mechanism.events_in_places().into_iter().map(|(_, event)| trigger(&event.occasion)).collect(),
             start_gates: compiled.start_gates(),
             rigid: mechanism.is_rigid(),
             pressed_by: mechanism.pressed_by(),
@@ -236,4 +240,14 @@ fn masses(compiled: &Compiled) -> Vec<(&'static str, bool, bool)> {
         (names::name(what), *positive, matches!(output, Operand::Source(_)))
     };
     both.map(one).collect()
+}
+
+/// What lets an event occur.
+fn trigger(occasion: &Occasion) -> Trigger {
+    match occasion {
+        Occasion::Passing(_, Way::Rises) => Trigger::Rises,
+        Occasion::Passing(_, Way::Falls) => Trigger::Falls,
+        Occasion::Passing(_, Way::Crosses) => Trigger::Crosses,
+        Occasion::Every(period) => Trigger::Every(*period),
+    }
 }

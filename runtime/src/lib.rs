@@ -59,6 +59,7 @@ pub mod table;
 #[doc(hidden)]
 pub mod tabled;
 pub mod tangent;
+mod trigger;
 pub mod vector;
 
 pub use assembly::{
@@ -103,6 +104,7 @@ pub use simulation::{
 pub use state::{Derivative, DerivativeOf, Kinematics, Motion, State, StateOf, Variables};
 pub use stepper::{Saved, SavedOf, StepMethod, Stepper, Tick};
 pub use tangent::Tangent;
+pub use trigger::Trigger;
 pub use vector::Vector;
 
 /// The names that emitted code may use. The path has its own version, so that a later runtime can serve older code.
@@ -132,6 +134,7 @@ pub mod __private {
         pub use crate::table;
         pub use crate::tabled;
         pub use crate::tangent::Tangent;
+        pub use crate::trigger::Trigger;
         pub use crate::vector::Vector;
         pub use core;
     }

@@ -18,7 +18,8 @@
 use crate::assembly::system::subtract_product;
 use crate::real::Real;
 use crate::state::{State, StateOf, Variables};
-use crate::vector::Vector;
+use crate::trigger::{Places, Trigger};
+use crate::vector::{Vector, at, put};
 use core::fmt::Debug;
 
 /// A constraint row of D, by the names its author knows. It is copied into errors, and so its names live as long as the program.
@@ -206,10 +207,25 @@ pub trait Mechanism<R: Real>: Variables<R> {
         lambda: &Self::Lambda,
         rates: &mut Self::Z,
     );
-    /// The contact of each gate that is held over a step; none of a mechanism whose gates are live, or that has no contacts.
+    /// The contact of each gate that is held over a step, then events and memories; none of a mechanism that holds nothing.
     #[inline]
     fn gate_names(&self) -> &[&'static str] {
         &[]
+    }
+    /// The memories, which are the last of what is held.
+    #[inline(always)]
+    fn memory_names(&self) -> &[&'static str] {
+        &[]
+    }
+    /// What lets each event occur: first those that pass a level, then those with a period.
+    #[inline(always)]
+    fn triggers(&self) -> &[Trigger] {
+        &[]
+    }
+    /// All that is held after the events whose places in the state are 1: memories as these set them, the rest as it is.
+    #[inline(always)]
+    fn assignments(&self, time: R, state: &StateOf<Self, R>, u: &Self::Inputs, after: &mut Self::Gates) {
+        let _ = (time, state, u, after);
     }
     /// Of each gate that is held the gap (m or rad), and the force of its law without the gate (N or N·m).
     #[inline(always)]
@@ -252,7 +268,7 @@ pub trait Mechanism<R: Real>: Variables<R> {
         let _ = (time, q, v, rates, biases, restitutions);
     }
     /// The gates as they are at a state, whatever its own are: 1 where the gap is below zero and the force of the law above, else 0; 0, which
-    /// is open, of rigid contacts. What a state that was put together by hand needs, and one at which derivatives are asked for.
+    /// is open, of rigid contacts. Likewise the sides on which events stand that pass a level; ticks and memories are those of the state. What a state that was put together by hand needs, and one at which derivatives are asked for.
     ///
     /// ```text
     /// state.gates = model.live_gates(time, &state);
@@ -268,6 +284,9 @@ pub trait Mechanism<R: Real>: Variables<R> {
         for (gate, &force) in gates.as_mut_slice().iter_mut().zip(forces.as_slice()) {
             let closed = gate.less(R::ZERO) & force.greater(R::ZERO);
             *gate = R::select(closed, R::ONE, R::ZERO);
+        }
+        for place in Places::of(self).passing..self.gate_names().len() {
+            put(gates.as_mut_slice(), place, at(state.gates.as_slice(), place));
         }
         gates
     }

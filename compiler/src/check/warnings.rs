@@ -16,8 +16,9 @@ use crate::model::{
 };
 
 /// The warnings in the order they are reported.
-const WARNINGS: [fn(&Mechanism, &mut Wanted); 14] = [
+const WARNINGS: [fn(&Mechanism, &mut Wanted); 15] = [
     declarations_are_used,
+    memories_are_set,
     bodies_are_connected,
     gravity_pulls,
     loads_have_an_effect,
@@ -75,6 +76,7 @@ fn declarations_are_used(mechanism: &Mechanism, wanted: &mut Wanted) {
             Declared::Parameter => "parameter",
             Declared::Input => "input",
             Declared::State => "state",
+            Declared::Memory => "memory",
             Declared::Signal => "signal",
             Declared::Table => "table",
             Declared::Point => "point",
@@ -87,6 +89,16 @@ fn declarations_are_used(mechanism: &Mechanism, wanted: &mut Wanted) {
         };
         let message = messages::unused(kind, &unused.name.text, unused.body.as_deref());
         wanted.push(Lint::Unused, unused.name.span, message);
+    }
+}
+
+// A memory is set by an event.
+fn memories_are_set(mechanism: &Mechanism, wanted: &mut Wanted) {
+    for (index, memory) in mechanism.memories.iter().enumerate() {
+        let is_set = mechanism.events.iter().any(|event| event.sets.iter().any(|(set, _)| set.0 == index));
+        if !is_set && !memory.name.text.starts_with('_') {
+            wanted.push(Lint::Unused, memory.name.span, messages::memory_never_set(&memory.name.text));
+        }
     }
 }
 

@@ -68,7 +68,7 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
     if emitter.mechanism.states.is_empty() {
         text.push_str("fn start_internal(&self) {}\n");
     }
-    if emitter.mechanism.options.held {
+    if emitter.mechanism.holds() {
         let _ =
             writeln!(text, "fn start_gates(&self) -> Gates<R> {{ {} }}", numbers(&compiled.start_gates()));
     } else {

@@ -27,12 +27,17 @@ pub fn items(text: &mut String, emitter: &Emitter, source: &str) {
     inputs(text, emitter);
     outputs(text, emitter);
     let gates = emitter.compiled.entries(Shape::Gates);
+    let held = match (mechanism.options.held, mechanism.memories.is_empty()) {
+        (true, false) => "gates of contacts, events and memories",
+        (false, false) => "events and memories",
+        _ => "gates of contacts",
+    };
     let (states, internal) = match (mechanism.states.len(), gates) {
-        (0, 0) => ("Positions and velocities", String::new()),
-        (n, 0) => ("Positions, velocities and internal states", format!(", [R; {n}]")),
-        (0, m) => ("Positions, velocities and gates of contacts", format!(", (), [R; {m}]")),
+        (0, 0) => ("Positions and velocities".to_string(), String::new()),
+        (n, 0) => ("Positions, velocities and internal states".to_string(), format!(", [R; {n}]")),
+        (0, m) => (format!("Positions, velocities and {held}"), format!(", (), [R; {m}]")),
         (n, m) => {
-            ("Positions, velocities, internal states and gates of contacts", format!(", [R; {n}], [R; {m}]"))
+            (format!("Positions, velocities, internal states and {held}"), format!(", [R; {n}], [R; {m}]"))
         }
     };
     let _ = writeln!(
@@ -115,7 +120,7 @@ fn start(emitter: &Emitter) -> String {
     let Emitter { path, compiled, .. } = emitter;
     let (q, v) = (numbers(&compiled.assembly.q), numbers(&compiled.assembly.v));
     let z = compiled.mechanism.internal_starts();
-    if compiled.mechanism.options.held {
+    if compiled.mechanism.holds() {
         let z = if z.is_empty() { "()".to_string() } else { numbers(&z) };
         let gates = numbers(&compiled.start_gates());
         return format!("{path}::State {{ q: {q}, v: {v}, z: {z}, gates: {gates} }}");

@@ -6,7 +6,7 @@ use super::rust::literal;
 use super::{Emitter, array, quoted, tables};
 use crate::compiled::AngleInOutputs;
 use crate::functions::{Interface, JACOBIAN, MASS, Shape};
-use crate::model::LoadId;
+use crate::model::{Occasion, Way};
 use std::fmt::Write;
 
 pub fn mechanism(text: &mut String, emitter: &Emitter) {
@@ -43,10 +43,15 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
     if !compiled.complete.equations.friction.is_none() {
         tables::method(text, "rubs", "bool", "true");
     }
-    if mechanism.options.held {
-        let of = |(load, _): (LoadId, usize)| mechanism.loads[load.0].name.text.clone();
-        let names = mechanism.gates().map(of).collect();
+    if mechanism.holds() {
+        let names = mechanism.held_names().into_iter().map(|name| name.text.clone()).collect();
         tables::method(text, "gate_names", "&[&'static str]", &tables::strings(names));
+        if !mechanism.memories.is_empty() {
+            let names = mechanism.memories.iter().map(|memory| memory.name.text.clone()).collect();
+            tables::method(text, "memory_names", "&[&'static str]", &tables::strings(names));
+            let triggers = mechanism.events_in_places().into_iter().map(|(_, event)| trigger(&event.occasion));
+            tables::method(text, "triggers", "&[Trigger]", &format!("&{}", array(triggers)));
+        }
         if mechanism.is_rigid() {
             tables::method(text, "is_rigid", "bool", "true");
         }
@@ -76,6 +81,16 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
     text.push_str(&helpers);
 }
 
+/// What lets an event occur, as the runtime says it.
+fn trigger(occasion: &Occasion) -> String {
+    match occasion {
+        Occasion::Passing(_, Way::Rises) => "Trigger::Rises".to_string(),
+        Occasion::Passing(_, Way::Falls) => "Trigger::Falls".to_string(),
+        Occasion::Passing(_, Way::Crosses) => "Trigger::Crosses".to_string(),
+        Occasion::Every(period) => format!("Trigger::Every({})", literal(*period)),
+    }
+}
+
 /// What a state is made of.
 fn variables(text: &mut String, emitter: &Emitter) {
     let _ = writeln!(text, "impl<R: Real> Variables<R> for {}<R> {{", emitter.inner);
@@ -89,7 +104,7 @@ fn variables(text: &mut String, emitter: &Emitter) {
         let _ = writeln!(text, "type {alias} = {alias}<R>;");
     }
     let internal = if emitter.mechanism.states.is_empty() { "()" } else { "Z<R>" };
-    let gates = if emitter.mechanism.options.held { "Gates<R>" } else { "()" };
+    let gates = if emitter.mechanism.holds() { "Gates<R>" } else { "()" };
     let _ = writeln!(text, "type Z = {internal};\ntype Gates = {gates};\n}}");
 }
 

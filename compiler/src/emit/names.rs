@@ -187,13 +187,14 @@ pub fn inner(name: &str) -> String {
 
 /// Types, traits and variants that implementations have in scope: short names of arrays, what the runtime exports to
 /// emitted code, the prelude.
-const IN_SCOPE: [&str; 123] = [
+const IN_SCOPE: [&str; 124] = [
     "Constants",
     "Phases",
     "Q",
     "V",
     "Z",
     "Gates",
+    "Trigger",
     "Lambda",
     "Mass",
     "Jacobian",

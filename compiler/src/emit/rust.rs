@@ -226,7 +226,7 @@ pub fn type_of(compiled: &Compiled, shape: Shape) -> String {
             return format!("[{}<R>; {}]", record.of(mechanism.space).name, compiled.entries(shape));
         }
         Shape::Loads | Shape::Drivers | Shape::Masses => return format!("[R; {}]", compiled.entries(shape)),
-        Shape::State if mechanism.options.held => {
+        Shape::State if mechanism.holds() => {
             let internal = if mechanism.states.is_empty() { "()" } else { "Z<R>" };
             return format!("State<Q<R>, V<R>, {internal}, Gates<R>>");
         }

@@ -36,7 +36,7 @@ pub fn aliases(text: &mut String, emitter: &Emitter) {
     if !emitter.mechanism.states.is_empty() {
         let _ = writeln!(text, "type Z<R> = [R; {}];", of(Shape::Internal));
     }
-    if emitter.mechanism.options.held {
+    if emitter.mechanism.holds() {
         let _ = writeln!(text, "type Gates<R> = [R; {}];", of(Shape::Gates));
     }
     for (alias, length) in arrays.into_iter().filter(|(alias, _)| !absent(alias)) {

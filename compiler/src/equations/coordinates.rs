@@ -243,7 +243,7 @@ pub struct Symbols {
     pub inputs: Vec<Node>,
     /// Those with rates of their own.
     pub internal: Vec<Node>,
-    /// Held over a step, 1 where a contact acts, else 0.
+    /// Held over a step: 1 where a contact acts, else 0; then of events and memories.
     pub gates: Vec<Node>,
     pub two_alpha: Node,
     pub beta_squared: Node,
@@ -269,7 +269,10 @@ pub fn symbols(g: Sheet, mechanism: &Mechanism, layout: &Layout) -> Symbols {
         let name = mechanism.loads[load.0].name.identifier();
         if which == 0 { format!("{name}_gate") } else { format!("{name}_gate_{}", which + 1) }
     });
-    let gates = gates.collect();
+    let events = mechanism.events_in_places();
+    let events = events.into_iter().map(|(_, event)| format!("{}_event", event.name.identifier()));
+    let memories = mechanism.memories.iter().map(|memory| memory.name.identifier());
+    let gates = gates.chain(events).chain(memories).collect();
     let phases = super::couplings::open_phases(mechanism).map(|name| format!("{name}_phase")).collect();
     let dots = |names: Vec<String>| names.into_iter().map(|name| identifier(&name)).collect::<Vec<_>>();
     let velocity_names = dots(layout.velocity_names(mechanism));

@@ -5,7 +5,7 @@ use super::jet::{Jet, Moving};
 use super::kinematics::Kinematics;
 use super::{Wrench, conditions, friction, loads, look_up, plane, space};
 use crate::model::{
-    Comparison, Condition, Coordinate, Expr, Function1, Function2, JointId, Load, LoadId, Mechanism, Place,
+    Comparison, Condition, Coordinate, Expr, Function1, Function2, JointId, Load, LoadId, Mechanism, MemoryId, Place,
     Quantity, ReactionPart, Rotor, Vector,
 };
 use crate::symbolic::{Compare, Node, On, Scalar, Sheet, Unary};
@@ -131,6 +131,7 @@ impl<'a> Laws<'a> {
             Expr::Parameter(parameter) => self.g.on(self.symbols.parameters[parameter.0]),
             Expr::Input(input) => self.g.on(self.symbols.inputs[input.0]),
             Expr::State(state) => self.g.on(self.symbols.internal[state.0]),
+            Expr::Memory(memory) => self.memory(*memory),
             Expr::Gate(load, which) => self.gate(*load, *which),
             Expr::Time => self.g.on(self.symbols.time),
             Expr::Quantity(quantity) => self.quantity(quantity),
@@ -168,6 +169,11 @@ impl<'a> Laws<'a> {
         at.map_or_else(|| self.g.zero(), |at| self.g.on(self.symbols.gates[at]))
     }
 
+    /// What a memory holds.
+    pub fn memory(&self, memory: MemoryId) -> Scalar<'a> {
+        self.g.on(self.symbols.gates[self.mechanism.place_of_memory(memory)])
+    }
+
     /// The internal states that a load has.
     pub fn states(&self, load: &Load) -> Vec<Scalar<'a>> {
         self.g.all(&self.symbols.internal[load.states.clone()])
@@ -195,7 +201,10 @@ impl<'a> Laws<'a> {
 
     pub fn jet(&self, expr: &Expr) -> Moving<'a> {
         match expr {
-            Expr::Number(_) | Expr::Parameter(_) | Expr::Input(_) | Expr::State(_) | Expr::Gate(..) => {
+            Expr::Number(_) | Expr::Parameter(_) | Expr::Input(_)
+            | Expr::State(_)
+            | Expr::Memory(_)
+            | Expr::Gate(..) => {
                 self.still(self.value(expr))
             }
             Expr::Time => {

@@ -19,6 +19,7 @@ mod laws;
 pub mod loads;
 mod look_up;
 mod means;
+mod memories;
 pub mod plane;
 mod rows;
 pub mod space;
@@ -165,8 +166,10 @@ pub struct Equations {
     pub expected: Vec<Node>,
     /// What rubs by reactions.
     pub friction: Friction,
-    /// Of each gate that is held, the gap, and the force of its law without the gate.
+    /// Of each gate that is held, the gap, and the force of its law without the gate; of events and memories likewise.
     pub guards: Vec<[Node; 2]>,
+    /// All that is held after the events that occur, with v̇ and λ as given; nothing without memories.
+    pub assignments: Vec<Node>,
     /// Of each gap of a rigid contact, its rate, its second time derivative at v̇ = 0, and the restitution; of dry friction the sliding and its
     /// derivative.
     pub strikes: Vec<[Node; 3]>,
@@ -282,8 +285,9 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
 
     let expected = mechanism.expect.motion.efforts.iter();
     let expected = expected.map(|effort| outputs_laws.value(&effort.value).bare).collect();
-
-    let (guards, strikes, grips) = (loads::guards(&laws), loads::strikes(&laws), loads::grips(&laws));
+    let assignments = memories::assignments(&outputs_laws);
+    let guards = loads::guards(&laws).into_iter().chain(memories::guards(&laws)).collect();
+    let (strikes, grips) = (loads::strikes(&laws), loads::grips(&laws));
     let states = mechanism.states.iter();
     let internal_rates = states.clone().map(|state| rate(&outputs_laws, &state.rate).bare).collect();
     let internal_starts = states.map(|state| outputs_laws.value(&state.start).bare).collect();
@@ -331,6 +335,7 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
         outputs,
         expected,
         guards,
+        assignments,
         strikes,
         grips,
         internal_rates,
@@ -400,6 +405,7 @@ impl Equations {
             replace(&mut self.powers, &results);
             replace(&mut self.outputs, &results);
             replace(&mut self.expected, &results);
+            replace(&mut self.assignments, &results);
             replace(&mut self.internal_rates, &results);
             replace(&mut self.driver_efforts, &results);
             replace(&mut self.driver_powers, &results);

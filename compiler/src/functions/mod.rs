@@ -44,6 +44,7 @@ pub enum Function {
     Outputs,
     InternalRates,
     Guards,
+    Assignments,
     Strikes,
     Grips,
     InverseDynamics,

@@ -17,7 +17,7 @@ pub enum Shape {
     Velocities,
     /// z.
     Internal,
-    /// 0 or 1, for each gate.
+    /// What is held: 0 or 1, for each gate, then events and memories.
     Gates,
     /// q, v, z and the gates together.
     State,
@@ -55,11 +55,11 @@ impl Shape {
             Shape::Internal => mechanism.states.iter().map(|state| state.name.identifier()).collect(),
             Shape::Gates => {
                 let gates = mechanism.gates();
-                gates
-                    .map(|(load, which)| {
-                        format!("{}_{}", mechanism.loads[load.0].name.identifier(), which + 1)
-                    })
-                    .collect()
+                let gates = gates.map(|(load, which)| {
+                    format!("{}_{}", mechanism.loads[load.0].name.identifier(), which + 1)
+                });
+                let behind = mechanism.held_names().into_iter().skip(mechanism.gates().count());
+                gates.chain(behind.map(|name| name.identifier())).collect()
             }
             Shape::Inputs => mechanism.inputs.iter().map(|input| input.name.identifier()).collect(),
             Shape::Outputs => mechanism.outputs.iter().map(|output| output.name.identifier()).collect(),

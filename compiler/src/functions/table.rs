@@ -23,7 +23,7 @@ const MOVING: &[Argument] = &[Constants, Time, Q, V, Acceleration];
 const EVERYTHING: &[Argument] = &[Constants, Time, State, Inputs, Acceleration, Lambda];
 
 /// Every function.
-pub static FUNCTIONS: [Signature; 50] = [
+pub static FUNCTIONS: [Signature; 51] = [
     signature(
         Function::MassMatrix,
         "mass_matrix",
@@ -186,6 +186,15 @@ pub static FUNCTIONS: [Signature; 50] = [
         ],
     )
     .only(|c| !c.equations.guards.is_empty()),
+    signature(
+        Function::Assignments,
+        "assignments",
+        Mechanism,
+        "All that is held after the events whose places are 1: memories as these set them (SI), the rest as it is.",
+        WITH_INPUTS,
+        &[written("after", Shape::Gates, |c| c.solved.assignments.clone()).called("{}_after")],
+    )
+    .only(|c| !c.solved.assignments.is_empty()),
     signature(
         Function::Strikes,
         "strikes",

@@ -2,7 +2,7 @@
 
 use super::tables::LookUp;
 use super::{
-    BodyId, ConstraintId, DriverId, InputId, JointId, LoadId, ParameterId, Place, Rotor, StateId, Vector,
+    BodyId, ConstraintId, DriverId, InputId, JointId, LoadId, MemoryId, ParameterId, Place, Rotor, StateId, Vector,
 };
 use crate::forms::{Measures, RowForm};
 use crate::units::Dimension;
@@ -14,6 +14,8 @@ pub enum Expr {
     Parameter(ParameterId),
     Input(InputId),
     State(StateId),
+    /// What was last set; constant between events.
+    Memory(MemoryId),
     /// Of a contact and one of its gaps: 1 while it acts, else 0; held over a step.
     Gate(LoadId, usize),
     /// s.
@@ -40,6 +42,7 @@ impl Expr {
             | Expr::Parameter(_)
             | Expr::Input(_)
             | Expr::State(_)
+            | Expr::Memory(_)
             | Expr::Gate(..)
             | Expr::Time
             | Expr::Quantity(_) => {}
@@ -60,10 +63,10 @@ impl Expr {
         moves
     }
 
-    /// Whether it names inputs or states, whose rates it does not know.
+    /// Whether it names inputs, states or memories, whose rates it does not know.
     pub fn is_given(&self) -> bool {
         let mut given = false;
-        self.visit(&mut |part| given |= matches!(part, Expr::Input(_) | Expr::State(_)));
+        self.visit(&mut |part| given |= matches!(part, Expr::Input(_) | Expr::State(_) | Expr::Memory(_)));
         given
     }
 

@@ -72,6 +72,7 @@ pub(crate) fn evaluate_at(expr: &Expr, parameters: &[f64], time: Option<f64>) ->
         }
         Expr::Input(_)
         | Expr::State(_)
+        | Expr::Memory(_)
         | Expr::Gate(..)
         | Expr::Quantity(_)
         | Expr::If(..)

@@ -66,6 +66,8 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
         parameters,
         inputs: lowering.each(&definition.inputs, Lowering::input),
         states: Vec::new(),
+        memories: Vec::new(),
+        events: Vec::new(),
         signals: lowering.each(&definition.signals, Lowering::named_signal),
         gravity: lowering.gravity(),
         gravity_span: definition.gravity.as_ref().map(|tuple| tuple.region),
@@ -98,6 +100,8 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
     };
     Lowering::modes_at_rest(&mut mechanism);
     mechanism.states = lowering.states();
+    mechanism.memories = lowering.each(&definition.memories, Lowering::memory);
+    mechanism.events = lowering.events();
     friction::number(&mut mechanism.loads);
     lowering.all_signals();
     lowering.slides(&mut mechanism.loads);
@@ -199,6 +203,9 @@ impl Use {
     };
     pub const HELD_LAW: Self =
         Self { what: "the law of a contact whose gates are held", inputs: false, ..Self::LOAD };
+    pub const EVENT: Self = Self { what: "the condition of an event", inputs: false, ..Self::LOAD };
+    pub const PERIOD: Self = Self { what: "the period of an event", ..Self::CONSTANT };
+    pub const ASSIGNED: Self = Self { what: "what an event sets a memory to", ..Self::OUTPUT };
     pub const VARYING: Self = Self { what: "this argument", velocities: false, ..Self::LOAD };
     pub const OUTPUT: Self = Self { what: "an output", results: true, ..Self::LOAD };
     pub const STATE_RATE: Self = Self { what: "the rate of a state", ..Self::OUTPUT };

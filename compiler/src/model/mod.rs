@@ -20,6 +20,7 @@ mod hysteresis;
 mod joints;
 mod loads;
 mod lower;
+mod memories;
 mod names;
 mod parts;
 mod penalty;
@@ -41,6 +42,7 @@ use crate::forms::BodyForm;
 pub use crate::forms::{Alone, JointAxes, JointForm, LoadForm, Space};
 use crate::scalar::Scalar;
 pub use crate::syntax::Side;
+pub use crate::syntax::Way;
 pub use crate::syntax::{Budgeted, OnDisk, identifier};
 pub use beams::Beam;
 pub use contacts::{Shape, Surface};
@@ -52,6 +54,7 @@ pub use expression::{
     Comparison, Condition, Coordinate, Expr, Function1, Function2, OfTeeth, Quantity, ReactionPart,
 };
 pub use lower::lower;
+pub use memories::{Event, Memory, Occasion};
 pub use tables::{Curve, LookUp, Table};
 pub use unused::{Declared, Unused};
 pub use written::WrittenLengths;
@@ -71,6 +74,9 @@ pub struct InputId(pub usize);
 /// Index of a state in [`Mechanism::states`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct StateId(pub usize);
+/// Index of a memory in [`Mechanism::memories`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct MemoryId(pub usize);
 /// Index of a load in [`Mechanism::loads`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct LoadId(pub usize);
@@ -126,6 +132,9 @@ pub struct Mechanism {
     pub inputs: Vec<Input>,
     /// With rates of their own.
     pub states: Vec<InternalState>,
+    pub memories: Vec<Memory>,
+    /// What sets them, in the order written.
+    pub events: Vec<Event>,
     pub signals: Vec<Signal>,
     /// World axes; `None` if no gravity was written.
     pub gravity: Option<Vector>,

@@ -1,4 +1,4 @@
-//! Who is called what: one table for values (constants, parameters, inputs, states, signals) and one for parts (bodies, joints,
+//! Who is called what: one table for values (constants, parameters, inputs, states, memories, signals) and one for parts (bodies, joints,
 //! constraints, drivers, loads, lines and markers of the ground). Names that are free twice are refused, both places shown.
 
 use super::functions::FUNCTIONS;
@@ -14,6 +14,7 @@ pub(super) enum Value {
     Parameter(usize),
     Input(usize),
     State(usize),
+    Memory(usize),
     Signal(usize),
 }
 
@@ -84,6 +85,7 @@ impl<'d> Names<'d> {
         enter(&mut values, &definition.parameters, |p| &p.name, Value::Parameter, diagnostics);
         enter(&mut values, &definition.inputs, |i| &i.name, Value::Input, diagnostics);
         enter(&mut values, &definition.states, |s| &s.name, Value::State, diagnostics);
+        enter(&mut values, &definition.memories, |m| &m.name, Value::Memory, diagnostics);
         enter(&mut values, &definition.signals, |s| &s.name, Value::Signal, diagnostics);
         allowed(&definition.name, &[], diagnostics);
         let mut parts = Table::new(&BUILT_IN);
@@ -107,6 +109,8 @@ impl<'d> Names<'d> {
         enter(&mut materials, &definition.materials, |m| &m.name, |index| index, diagnostics);
         let mut tables = Table::new(&CALLED);
         enter(&mut tables, &definition.tables, |t| &t.name, |index| index, diagnostics);
+        let mut events = Table::new(&[]);
+        enter(&mut events, &definition.events, |e| &e.name, |index| index, diagnostics);
         let mut outputs = Table::new(&[]);
         enter(&mut outputs, &definition.outputs, |o| &o.name, |index| index, diagnostics);
         for body in &definition.bodies {

@@ -122,6 +122,7 @@ impl Lowering<'_> {
                 Expr::Parameter(_) => (usage.parameters, "a parameter"),
                 Expr::Input(_) => (usage.inputs, "an input"),
                 Expr::State(_) => (usage.states, "a state"),
+                Expr::Memory(_) => (usage.states, "a memory"),
                 Expr::Time => (usage.time, "the time"),
                 Expr::Quantity(Quantity::Coordinate(_)) => (usage.positions, "a position"),
                 Expr::Quantity(Quantity::Rate(_) | Quantity::Sliding { .. })

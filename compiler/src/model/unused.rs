@@ -1,4 +1,4 @@
-//! What is declared and named by nothing: constants, parameters, inputs, states, signals, tables, parts, points, markers and lines.
+//! What is declared and named by nothing: constants, parameters, inputs, states, memories, signals, tables, parts, points, markers and lines.
 //!
 //! While names are resolved those that are named are kept; what is left over here is warned of in `check`. The rounds
 //! of a `repeat` declare one thing each at the same place of the source: it is used where one of them is.
@@ -27,6 +27,7 @@ pub enum Declared {
     Parameter,
     Input,
     State,
+    Memory,
     Signal,
     Table,
     Point,
@@ -80,6 +81,7 @@ fn declarations(definition: &Definition) -> impl Iterator<Item = (Scope, Declare
     let parameters = definition.parameters.iter().map(|it| &it.name).map(value(Declared::Parameter));
     let inputs = definition.inputs.iter().map(|it| &it.name).map(value(Declared::Input));
     let states = definition.states.iter().map(|it| &it.name).map(value(Declared::State));
+    let memories = definition.memories.iter().map(|it| &it.name).map(value(Declared::Memory));
     let signals = definition.signals.iter().map(|it| &it.name).map(value(Declared::Signal));
     let tables = definition.tables.iter().map(|it| (Scope::Table, Declared::Table, &it.name));
     let parts = definition.parts.iter().map(|name| (Scope::Part, Declared::Part, name));
@@ -97,6 +99,6 @@ fn declarations(definition: &Definition) -> impl Iterator<Item = (Scope, Declare
     let surfaces = definition.surfaces.iter().map(|it| (Scope::Surface, Declared::Surface, &it.name));
     let materials = definition.materials.iter().map(|it| (Scope::Material, Declared::Material, &it.name));
     let values =
-        constants.chain(parameters).chain(inputs).chain(states).chain(signals).chain(tables).chain(parts);
+        constants.chain(parameters).chain(inputs).chain(states).chain(memories).chain(signals).chain(tables).chain(parts);
     values.chain(of_bodies).chain(markers).chain(lines).chain(surfaces).chain(materials)
 }

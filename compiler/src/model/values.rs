@@ -5,7 +5,7 @@ use super::functions::is_function;
 use super::lower::{Lowering, Use, declared};
 use super::names::Value;
 use super::unused::Scope;
-use super::{Expr, Function1, Function2, InputId, ParameterId, StateId, Vector};
+use super::{Expr, Function1, Function2, InputId, MemoryId, ParameterId, StateId, Vector};
 use crate::diagnostics::Region;
 use crate::messages;
 use crate::syntax::{Entry, Operator, Path, Term, TermKind, Tuple, WrittenUnit};
@@ -252,6 +252,12 @@ impl Lowering<'_> {
                     self.permit(usage.states, path, "a state", usage)?;
                     let dimension = declared(self.definition.states[index].entry.unit.as_ref());
                     return typed(Expr::State(StateId(index)), dimension);
+                }
+                Some(Value::Memory(index)) => {
+                    self.used.insert((Scope::Value, &self.definition.memories[index].name.text));
+                    self.permit(usage.states, path, "a memory", usage)?;
+                    let dimension = declared(self.definition.memories[index].entry.unit.as_ref());
+                    return typed(Expr::Memory(MemoryId(index)), dimension);
                 }
                 Some(Value::Signal(index)) => return self.signal_at(index, path, usage),
                 None if path.text == "pi" => {

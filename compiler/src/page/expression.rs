@@ -49,7 +49,9 @@ impl<'a> Writer<'a> {
             let name = &mechanism.loads[load.0].name.text;
             if which == 0 { format!("{word}({name})") } else { format!("{word}({name}, {})", which + 1) }
         });
-        let settings = settings.chain(symbols.gates.iter().copied().zip(contacts));
+        let behind = mechanism.held_names().into_iter().skip(mechanism.gates().count());
+        let held = contacts.chain(behind.map(|name| name.text.clone()));
+        let settings = settings.chain(symbols.gates.iter().copied().zip(held));
         let accelerations =
             symbols.acceleration.iter().copied().zip(v.iter().map(|name| format!("v̇({name})")));
         let multipliers = symbols.lambda.iter().zip(&equations.rows);

@@ -118,7 +118,11 @@ impl<'a> Stand<'a> {
     /// Takes the gates that are held as they are in this pose.
     fn hold(&mut self, guards: &[Node]) {
         let values = self.numbers(guards);
-        let gates = values.chunks_exact(2).map(|guard| live([guard[0], guard[1]]));
+        let compiled = self.compiled;
+        let memories = &compiled.mechanism.memories;
+        let guarded = values.len() / 2 - memories.len();
+        let gates = values.chunks_exact(2).map(|guard| live([guard[0], guard[1]])).take(guarded);
+        let gates = gates.chain(memories.iter().map(|memory| memory.start));
         for (node, gate) in self.compiled.complete.equations.symbols.gates.iter().zip(gates) {
             if let Op::Symbol(symbol) = self.graph.read().op(*node) {
                 self.symbols[symbol as usize] = gate;

@@ -255,6 +255,17 @@ pub fn settings(page: &mut String, compiled: &Compiled) {
         table.row(vec![code(&state.name.text), code(&state.unit.text), start, scale]);
     }
     table.write(page, "States");
+    let mut table = Table::new(&["memory", "unit as written", "at the start, SI"]);
+    for memory in &mechanism.memories {
+        table.row(vec![code(&memory.name.text), code(&memory.unit.text), decimal(memory.start)]);
+    }
+    table.write(page, "Memories");
+    let mut table = Table::new(&["event", "occurs", "sets"]);
+    for event in &mechanism.events {
+        let sets = event.sets.iter().map(|(memory, _)| code(&mechanism.memories[memory.0].name.text));
+        table.row(vec![code(&event.name.text), event.occasion.said(), sets.collect::<Vec<_>>().join(", ")]);
+    }
+    table.write(page, "Events");
     let mut table = Table::new(&["output", "unit as written, given in SI"]);
     for output in &mechanism.outputs {
         table.row(vec![code(&output.name.text), code(&output.unit.text)]);
@@ -366,6 +377,9 @@ fn named(mechanism: &Mechanism, expr: &Expr, names: &mut BTreeSet<String>, moves
         }
         Expr::State(id) => {
             names.insert(mechanism.states[id.0].name.text.clone());
+        }
+        Expr::Memory(id) => {
+            names.insert(mechanism.memories[id.0].name.text.clone());
         }
         Expr::Time => {
             names.insert("time".to_string());

@@ -56,6 +56,8 @@ pub struct Solved {
     pub row_scales: Vec<Node>,
     /// The outputs, which may name drivers' efforts or powers, or reactions, with v̇ and λ of the plain solution.
     pub outputs: Vec<Node>,
+    /// What is held after events, likewise.
+    pub assignments: Vec<Node>,
     /// The powers of loads, some of which follow from reactions, likewise.
     pub powers: Vec<Node>,
 }
@@ -302,6 +304,7 @@ fn by_articulated_bodies(
     let acceleration = all_bare(&articulated::accelerations(kinematics, distributions, forces));
     let solution = Solution { acceleration, lambda: Vec::new(), pivot: candidate.one, left: Vec::new() };
     let outputs = solved(&candidate, &solution, &candidate.outputs);
+    let assignments = solved(&candidate, &solution, &candidate.assignments);
     let powers = candidate.powers.clone();
     let order = order::order(pattern, Strategy::MinimumDegree);
     let mut solved = Solved {
@@ -313,6 +316,7 @@ fn by_articulated_bodies(
         massless: Massless::default(),
         row_scales: Vec::new(),
         outputs,
+        assignments,
         powers,
     };
     solved.counts = count(&candidate, &solved.baumgarte.nodes());
@@ -353,6 +357,7 @@ fn eliminate(equations: &Equations, system: &System, order: Order) -> Solved {
     };
     let (index1, baumgarte) = (with(&plain), with(&stabilised));
     let outputs = solved(equations, &index1, &equations.outputs);
+    let assignments = solved(equations, &index1, &equations.assignments);
     let powers = match equations.friction.is_none() {
         true => equations.powers.clone(),
         false => solved(equations, &index1, &equations.powers),
@@ -366,6 +371,7 @@ fn eliminate(equations: &Equations, system: &System, order: Order) -> Solved {
         massless: massless.clone(),
         row_scales: scales.clone(),
         outputs,
+        assignments,
         powers,
     }
 }

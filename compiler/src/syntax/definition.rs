@@ -47,6 +47,8 @@ pub struct Definition {
     pub signals: Vec<Signal>,
     pub states: Vec<InternalState>,
     pub rates: Vec<StateRate>,
+    pub memories: Vec<Memory>,
+    pub events: Vec<Event>,
     pub tables: Vec<TableTerm>,
     pub gravity: Option<Tuple>,
     pub bodies: Vec<Body>,
@@ -500,4 +502,52 @@ pub struct InternalState {
 pub struct StateRate {
     pub name: Label,
     pub value: Term,
+}
+
+/// `memory name [unit] = value;`
+#[derive(Clone, Debug)]
+pub struct Memory {
+    pub name: Label,
+    pub docs: TokenStream,
+    pub entry: Entry,
+}
+
+/// `event name: occasion { memory = value; … }`
+#[derive(Clone, Debug)]
+pub struct Event {
+    pub name: Label,
+    pub occasion: Occasion,
+    /// At least one.
+    pub sets: Vec<(Label, Term)>,
+}
+
+/// When an event occurs.
+#[derive(Clone, Debug)]
+pub enum Occasion {
+    /// A value passes a level.
+    Passing { value: Term, way: Way, level: Term },
+    /// At the multiples of a period.
+    Every(Term),
+}
+
+/// Which way a value passes a level.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Way {
+    Rises,
+    Falls,
+    Crosses,
+}
+
+impl Way {
+    pub fn named(word: &str) -> Option<Self> {
+        [Self::Rises, Self::Falls, Self::Crosses].into_iter().find(|way| way.word() == word)
+    }
+
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Rises => "rises",
+            Self::Falls => "falls",
+            Self::Crosses => "crosses",
+        }
+    }
 }

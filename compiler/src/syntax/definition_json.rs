@@ -40,6 +40,10 @@ pub fn definition_json(definition: &Definition) -> String {
                 w.key("value").term(&rate.value);
             });
         }
+        if !definition.memories.is_empty() {
+            w.key("memories").list(&definition.memories, |w, memory| w.named_entry(&memory.name, &memory.entry));
+            w.key("events").list(&definition.events, Writer::event);
+        }
         if !definition.tables.is_empty() {
             w.key("tables").list(&definition.tables, Writer::table);
         }
@@ -253,6 +257,21 @@ impl Writer {
     }
 
     /// Points of a file stand here as they were read.
+    fn event(&mut self, event: &Event) {
+        self.key("name").string(&event.name.text);
+        match &event.occasion {
+            Occasion::Passing { value, way, level } => {
+                self.key(way.word()).term(level);
+                self.key("value").term(value);
+            }
+            Occasion::Every(period) => self.key("every").term(period),
+        }
+        self.key("sets").list(&event.sets, |w, (memory, value)| {
+            w.key("name").string(&memory.text);
+            w.key("value").term(value);
+        });
+    }
+
     fn table(&mut self, table: &TableTerm) {
         self.key("name").string(&table.name.text);
         self.key("arguments").list(&table.arguments, |w, (label, unit)| {

@@ -51,6 +51,7 @@ mod friction;
 mod habits;
 mod header;
 mod index;
+mod memories;
 mod modal;
 mod parser;
 mod parts;
@@ -172,6 +173,8 @@ fn empty() -> Definition {
         signals: Vec::new(),
         states: Vec::new(),
         rates: Vec::new(),
+        memories: Vec::new(),
+        events: Vec::new(),
         tables: Vec::new(),
         gravity: None,
         bodies: Vec::new(),

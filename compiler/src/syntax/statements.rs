@@ -11,13 +11,15 @@ use crate::messages;
 use proc_macro2::{Delimiter, TokenStream};
 
 /// Words that begin a statement, but those of bodies, loads and couplings.
-const STATEMENTS: [&str; 24] = [
+const STATEMENTS: [&str; 26] = [
     "const",
     "param",
     "input",
     "signal",
     "state",
     "rate",
+    "memory",
+    "event",
     "table",
     "gravity",
     "marker",
@@ -76,6 +78,8 @@ impl Parser<'_> {
             "signal" => self.signal(c),
             "state" => self.state(c, docs),
             "rate" => self.rate(c),
+            "memory" => self.memory(c, docs),
+            "event" => self.event(c),
             "table" => self.table(c),
             "gravity" | "options" | "expect" if self.scope.name.is_some() => {
                 self.fail(at, messages::not_in_a_part(word))

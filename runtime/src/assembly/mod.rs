@@ -19,6 +19,7 @@ use crate::ldl::Pivot;
 use crate::mechanism::{Assemble, Mechanism};
 use crate::real::Real;
 use crate::simulation::Simulation;
+use crate::trigger::align;
 use crate::state::{Kinematics, Motion, State, StateOf};
 use crate::stepper::{StepMethod, Stepper};
 use crate::vector::Vector;
@@ -107,11 +108,12 @@ pub trait AssembleExt<R: Real>: Assemble<R> + Sized {
 
 impl<R: Real, M: Assemble<R>> AssembleExt<R> for M {}
 
-/// The state with its gates as they are at it.
+/// The state with its gates as they are at it, and the ticks that are next at this time.
 #[inline(always)]
 pub(crate) fn held<R: Real, M: Mechanism<R>>(model: &M, time: R, mut state: StateOf<M, R>) -> StateOf<M, R> {
     if !state.gates.as_slice().is_empty() {
         state.gates = model.live_gates(time, &state);
+        align(model, time, &mut state);
     }
     state
 }

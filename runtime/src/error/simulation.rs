@@ -165,6 +165,15 @@ pub enum SimulationError {
         /// How often gates may open or close in a step.
         most: u32,
     },
+    /// Events of the definition occurred more often in one step, or at one time, than is allowed.
+    EventWithoutEnd {
+        /// The event that did so last.
+        event: &'static str,
+        /// The time at which it did, s. The simulation stands at the beginning of the step.
+        time: f64,
+        /// How often events may occur in a step, ticks at their own times aside.
+        most: u32,
+    },
     /// A rigid contact is inside another body: at a start, or because its parts crossed each other in less than a step.
     Inside {
         /// The contact.
@@ -345,6 +354,11 @@ impl Display for SimulationError {
                 f,
                 "`{contact}` opens and closes without end at t = {time} s: contacts did so more than {most} times in one step; take a smaller \
                  step, give the contact a force that grows from zero with its depth, or write `options {{ contact = live; }}`"
+            ),
+            SimulationError::EventWithoutEnd { event, time, most } => write!(
+                f,
+                "the event `{event}` occurs without end at t = {time} s: events did so more than {most} times in one step; set the levels of \
+                 events that undo each other apart, or take a smaller step"
             ),
             SimulationError::Inside { contact, time, depth } => write!(
                 f,

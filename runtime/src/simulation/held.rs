@@ -9,6 +9,7 @@
 
 use super::course::Course;
 use super::locate::{Search, StandingOf, TRIALS};
+use super::occur::happens;
 use super::strike::{Blow, IMPACTS_PER_STEP};
 use super::{MechanismDynamics, Simulation, Step};
 use crate::clock::Clock;
@@ -16,9 +17,10 @@ use crate::error::SimulationError;
 use crate::formulation::Formulation;
 use crate::input::InputSource;
 use crate::integrator::{Integrator, Method, Rejections};
-use crate::mechanism::Assemble;
+use crate::mechanism::{Assemble, Mechanism};
 use crate::real::Real;
 use crate::state::Variables;
+use crate::trigger::Places;
 use crate::vector::Vector;
 
 /// How often gates of contacts may open or close in one step; more is [`Chatter`](SimulationError::Chatter). Those that do so at one time count
@@ -42,20 +44,12 @@ where
     S: InputSource<R, M>,
     I: Method<R>,
 {
-    /// Takes the gates as they are at the present state, after the impulses of rigid contacts; how many changed. What a method carries from
-    /// step to step is of the gates before.
+    /// Takes the gates as they are at the present state, after the impulses of rigid contacts or the events that occur here; what happened.
     pub(super) fn hold(&mut self) -> Result<Blow<R>, SimulationError> {
         if self.model().is_rigid() {
             return self.strike();
         }
-        let live = self.model().live_gates(self.time(), &self.run.state);
-        let both = live.as_slice().iter().zip(self.run.state.gates.as_slice());
-        let changed = both.filter(|(live, held)| live != held).count() as u32;
-        if changed > 0 {
-            self.run.state.gates = live;
-            self.memory = self.integrator.memory();
-        }
-        Ok(Blow { changed, ..Blow::none() })
+        self.occur()
     }
 
     fn guards(&mut self) -> Guards<M, R> {
@@ -69,14 +63,16 @@ where
         [gaps, forces]
     }
 
-    /// Whether the gates are no longer what they are held at, and the first of those that are not.
+    /// Whether the gates are no longer what they are held at or an event occurs, and the first of those.
     fn left(&mut self) -> Option<usize> {
         if self.model().is_rigid() {
             let guards = self.rigid_guards();
             return self.rigid_left(&guards);
         }
-        let live = self.model().live_gates(self.time(), &self.run.state);
-        live.as_slice().iter().zip(self.run.state.gates.as_slice()).position(|(live, held)| live != held)
+        let model = self.model();
+        let live = model.live_gates(self.time(), &self.run.state);
+        let mut both = live.as_slice().iter().zip(self.run.state.gates.as_slice()).enumerate();
+        both.position(|(place, (live, held))| happens(model, place, *held, *live))
     }
 }
 
@@ -138,27 +134,44 @@ where
         }
     }
 
-    /// The way to `end`, or to the first touch or release before it, with the gates as they are here; and whether there was one. It is left to
-    /// the next piece to change gates.
+    /// The way to `end`, or to the first touch, release or event before it, with the gates as they are here; and whether there was one. It is
+    /// left to the next piece to change gates.
     fn piece(&mut self, h: R, end: Clock<R>, events: &mut u32) -> Result<(Step<R>, bool), SimulationError> {
         let blow = self.hold()?;
+        let whole = end;
+        let (h, end) = self.until_tick(h, end);
         let begin = self.standing();
         let inputs = self.dynamics.present_inputs(self.time(), &self.run.state.clone());
         let mut step = self.step_by(h, end)?;
-        let Some(mut first) = self.left() else { return Ok((with(&step, &blow), false)) };
-        step = with(&self.part(begin, step)?, &blow);
-        first = self.left().unwrap_or(first);
-        *events += 1;
-        let most = if self.model().is_rigid() { IMPACTS_PER_STEP } else { EVENTS_PER_STEP };
-        if *events > most {
-            let (contact, time) = (self.contact(first), self.time().to_f64());
-            return Err(SimulationError::Chatter { contact, time, most });
-        }
-        if S::HELD && self.run.clock.is_before(&end) {
+        let parted = match self.left() {
+            None => !self.run.clock.is_before(&end) && self.run.clock.is_before(&whole),
+            Some(first) => {
+                step = self.part(begin, step)?;
+                *events += 1;
+                self.check_count(*events, first)?;
+                true
+            }
+        };
+        step = with(&step, &blow);
+        if S::HELD && parted && self.run.clock.is_before(&whole) {
             // They are held over the whole step.
             self.dynamics.inputs = Some(inputs);
         }
-        Ok((step, true))
+        Ok((step, parted))
+    }
+
+    /// An error if touches and releases, or events, are too many for one step.
+    fn check_count(&mut self, events: u32, first: usize) -> Result<(), SimulationError> {
+        let most = if self.model().is_rigid() { IMPACTS_PER_STEP } else { EVENTS_PER_STEP };
+        if events <= most {
+            return Ok(());
+        }
+        let first = self.left().unwrap_or(first);
+        if first >= Places::of(self.model()).contacts {
+            return Err(self.without_end(first));
+        }
+        let (contact, time) = (self.contact(first), self.time().to_f64());
+        Err(SimulationError::Chatter { contact, time, most })
     }
 
     /// Goes back to the first time between `begin` and here at which a gate changes.
@@ -189,7 +202,7 @@ where
             trials += 1;
             let part = match self.model().is_rigid() {
                 true => expected_touch(&held, &low.1, &high.1, high.0 - low.0),
-                false => expected(&held, &low.1, &high.1),
+                false => expected(self.model(), &held, &low.1, &high.1),
             };
             let at = search.next(low.0, high.0, part);
             self.stand(base.2.clone());
@@ -217,16 +230,25 @@ where
     }
 }
 
-/// The part of the time between two guards at which the first gate is to be expected to change, from 0 to 1.
-fn expected<R: Real, G: Vector<R>>(held: &G, before: &[G; 2], after: &[G; 2]) -> R {
+/// The part of the time between two guards at which the first gate is to be expected to change or event to occur, from 0 to 1.
+fn expected<R: Real, M: Mechanism<R>>(
+    model: &M,
+    held: &M::Gates,
+    before: &Guards<M, R>,
+    after: &Guards<M, R>,
+) -> R {
     let [gaps, forces] = before;
-    let each = held.as_slice().iter().zip(gaps.as_slice().iter().zip(forces.as_slice()));
+    let each = held.as_slice().iter().take(Places::of(model).passing).zip(gaps.as_slice().iter().zip(forces.as_slice()));
     let [gaps, forces] = after;
     let each = each.zip(gaps.as_slice().iter().zip(forces.as_slice()));
     let part = |a: R, b: R| a / (a - b);
     let half = R::from_f64(0.5);
-    let first = each.filter_map(|((&held, (&gap, &force)), (&then, &forced))| {
+    let first = each.enumerate().filter_map(|(place, ((&held, (&gap, &force)), (&then, &forced)))| {
         let (deep, pressed) = (then < R::ZERO, forced > R::ZERO);
+        let live = if deep && pressed { R::ONE } else { R::ZERO };
+        if !happens(model, place, held, live) {
+            return None;
+        }
         if held > half {
             // It opens with the first of both.
             let out = (!deep).then(|| part(gap, then));
@@ -279,6 +301,7 @@ fn expected_touch<R: Real, G: Vector<R>>(held: &G, before: &[G; 2], after: &[G; 
 fn with<R: Real>(step: &Step<R>, blow: &Blow<R>) -> Step<R> {
     Step {
         gates_changed: step.gates_changed + blow.changed,
+        events: step.events + blow.events,
         impacts: step.impacts + blow.impacts,
         rested: step.rested + blow.rested,
         lost: step.lost + blow.lost,
@@ -310,6 +333,7 @@ fn together<R: Real>(before: &Step<R>, after: &Step<R>) -> Step<R> {
         friction_residual: before.friction_residual.max(after.friction_residual),
         stepped_over: before.stepped_over + after.stepped_over,
         gates_changed: before.gates_changed + after.gates_changed,
+        events: before.events + after.events,
         impacts: before.impacts + after.impacts,
         rested: before.rested + after.rested,
         lost: before.lost + after.lost,

@@ -13,6 +13,7 @@ mod event;
 mod held;
 mod implicit;
 mod locate;
+mod occur;
 mod proportion;
 mod rigid;
 mod sample;

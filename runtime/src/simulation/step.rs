@@ -55,6 +55,8 @@ pub struct Step<R = f64> {
     pub stepped_over: u32,
     /// Gates that opened or closed in it, where a mechanism holds them.
     pub gates_changed: u32,
+    /// Events of the definition that occurred in it, ticks too.
+    pub events: u32,
     /// Touches of rigid contacts, each with an impulse.
     pub impacts: u32,
     /// Rigid contacts that came to rest on each other.
@@ -191,6 +193,7 @@ where
             friction_residual: watch.friction,
             stepped_over: watch.stepped_over,
             gates_changed: 0,
+            events: 0,
             impacts: 0,
             rested: 0,
             lost: R::ZERO,

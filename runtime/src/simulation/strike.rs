@@ -32,6 +32,8 @@ const FLIGHT: f64 = 1e-7;
 pub(super) struct Blow<R> {
     /// Contacts that opened or closed.
     pub changed: u32,
+    /// Events of the definition that occurred.
+    pub events: u32,
     pub impacts: u32,
     pub rested: u32,
     /// What all took, and what some gave, J.
@@ -457,7 +459,7 @@ impl Group {
 
 impl<R: Real> Blow<R> {
     pub fn none() -> Self {
-        Blow { changed: 0, impacts: 0, rested: 0, lost: R::ZERO, gained: R::ZERO }
+        Blow { changed: 0, events: 0, impacts: 0, rested: 0, lost: R::ZERO, gained: R::ZERO }
     }
 }
 

@@ -10,6 +10,8 @@ pub struct Point<'a> {
     pub equations: &'a Equations,
     symbols: Vec<f64>,
     values: Vec<f64>,
+    /// What memories hold.
+    memories: Vec<f64>,
 }
 
 /// Nodes to be evaluated together, operands first.
@@ -32,14 +34,19 @@ impl Ancestry {
 impl<'a> Point<'a> {
     /// All symbols zero.
     pub fn new(equations: &'a Equations) -> Self {
-        Point { equations, symbols: vec![0.0; equations.graph.read().symbol_count()], values: Vec::new() }
+        let symbols = vec![0.0; equations.graph.read().symbol_count()];
+        Point { equations, symbols, values: Vec::new(), memories: Vec::new() }
     }
 
-    /// Parameters at their defaults, and the phases of couplings; the rest zero.
+    /// Parameters at their defaults, the phases of couplings, and memories as they start; the rest zero.
     pub fn at_defaults(mechanism: &Mechanism, equations: &'a Equations, phases: &[f64]) -> Self {
         let mut point = Point::new(equations);
         point.set(&equations.symbols.parameters, &mechanism.defaults());
         point.set(&equations.symbols.phases, phases);
+        point.memories = mechanism.memories.iter().map(|memory| memory.start).collect();
+        let behind = equations.symbols.gates.len() - point.memories.len();
+        let memories = point.memories.clone();
+        point.set(&equations.symbols.gates[behind..], &memories);
         point
     }
 
@@ -61,7 +68,11 @@ impl<'a> Point<'a> {
         }
         self.evaluate(&Ancestry::of(equations, equations.guards.iter().flatten().copied()));
         let guards = equations.guards.iter();
-        guards.map(|guard| live(guard.map(|node| self.get(node)))).collect()
+        let mut gates: Vec<f64> = guards.map(|guard| live(guard.map(|node| self.get(node)))).collect();
+        // What is remembered depends on no guard.
+        let first = gates.len() - self.memories.len();
+        gates[first..].copy_from_slice(&self.memories);
+        gates
     }
 
     /// Takes them so.

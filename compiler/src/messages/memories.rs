@@ -1,0 +1,93 @@
+//! Of memories and the events that set them.
+
+use super::{closest, number};
+
+pub(crate) fn memory_without_start(name: &str) -> String {
+    format!("the memory \"{name}\" has no start value: write `memory {name} [unit] = value;`")
+}
+
+pub(crate) fn event_without_assignments(name: &str) -> String {
+    format!("the event `{name}` sets nothing: write `{{ memory = value; }}` behind its condition, or leave it out")
+}
+
+pub(crate) fn jump_of_a_velocity(event: &str) -> String {
+    format!(
+        "`{event}` cannot make a velocity jump: events set memories only; let a load push that a memory switches on, or let a \
+         rigid contact strike, `contact NAME: between(…) = rigid(restitution = …);`"
+    )
+}
+
+pub(crate) fn sides_of_an_event(word: &str) -> String {
+    format!("the two sides of `{word}`")
+}
+
+pub(crate) fn never_passes(event: &str, word: &str) -> String {
+    format!(
+        "`{event}` never occurs: nothing on either side of `{word}` changes while the mechanism moves; name a position, a velocity, \
+         a state, a memory or the time"
+    )
+}
+
+/// What a period is called where its dimension is wrong.
+pub(crate) fn period_of(event: &str) -> String {
+    format!("the period of `{event}`")
+}
+
+pub(crate) fn period_not_positive(event: &str, found: f64) -> String {
+    format!(
+        "the period of `{event}` must be positive, found {} s: write a time between two ticks, such as `every 1e-3 [s]`",
+        number(found)
+    )
+}
+
+pub(crate) fn sets_no_memory(name: &str) -> String {
+    format!("`{name}` is no memory, and events set memories only: declare another name by `memory NAME [unit] = value;`")
+}
+
+pub(crate) fn assigned_quantity(name: &str) -> String {
+    format!("no quantity of `{name}` can be set here: events set memories only, which `memory NAME [unit] = value;` declares")
+}
+
+pub(crate) fn unknown_memory<'a>(name: &str, memories: impl Iterator<Item = &'a str>) -> String {
+    match closest(name, memories) {
+        Some(similar) => format!("no memory called \"{name}\"; did you mean \"{similar}\"?"),
+        None => format!("no memory called \"{name}\": declare it by `memory {name} [unit] = value;`"),
+    }
+}
+
+pub(crate) fn set_twice(memory: &str, event: &str) -> String {
+    format!("`{event}` sets `{memory}` twice, and all that it sets is of the values before it: leave one of both out")
+}
+
+pub(crate) fn set_by_two(memory: &str, event: &str, earlier: &str) -> String {
+    format!("`{event}` occurs where `{earlier}` does, and both set `{memory}`: write one event, or set another memory")
+}
+
+pub(crate) fn set_here_too(memory: &str) -> String {
+    format!("`{memory}` is set here too")
+}
+
+pub(crate) fn memory_never_set(memory: &str) -> String {
+    format!(
+        "no event sets the memory `{memory}`, so it keeps its start value: write `param {memory} [unit] = value;`, or \
+         `#[allow(unused)]` before it"
+    )
+}
+
+pub(crate) fn memory_beside_rigid(memory: &str, rigid: &str) -> String {
+    format!(
+        "memories such as `{memory}` and rigid contacts such as `{rigid}` cannot be in one mechanism yet: give `{rigid}` a law that \
+         yields, such as `hunt_crossley(…)`, or leave the memories out"
+    )
+}
+
+pub(crate) fn rigid_here(rigid: &str) -> String {
+    format!("`{rigid}` is rigid")
+}
+
+pub(crate) fn memories_in_c(memory: &str) -> String {
+    format!(
+        "the functions in C take whole steps and find no event within them, so that `{memory}` would be set late: leave \
+         `export_c` out, or give what `{memory}` says as an input"
+    )
+}
