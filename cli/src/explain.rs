@@ -10,7 +10,8 @@ use linkwright_compiler::counts::Row;
 use linkwright_compiler::equations::conditions;
 use linkwright_compiler::model::gears::{self, Gives, Told};
 use linkwright_compiler::model::{
-    ConstraintKind, Coordinate, Coordinates, Frame, JointId, Load, LoadId, Mechanism, Redundant, Table,
+    ConstraintKind, Coordinate, Coordinates, Event, Frame, JointId, Load, LoadId, Mechanism, Memory,
+    Redundant, Table,
 };
 use linkwright_compiler::schedule::{Function, count, live_values};
 use linkwright_compiler::syntax::Definition;
@@ -86,6 +87,10 @@ pub struct Explanation {
     pub signals: Vec<[String; 2]>,
     /// At the start.
     pub states: Vec<Value>,
+    /// At the start.
+    pub memories: Vec<Value>,
+    /// Name, when it occurs, and what it sets.
+    pub events: Vec<[String; 3]>,
     pub bodies: Vec<Body>,
     pub modes: Vec<Mode>,
     pub beams: Vec<Beam>,
@@ -198,6 +203,8 @@ pub fn explain(definition: &Definition, compiled: &Compiled) -> Explanation {
             .collect(),
         signals: mechanism.signals.iter().map(|it| [it.name.text.clone(), it.unit.text.clone()]).collect(),
         states: state.internal,
+        memories: memories(mechanism),
+        events: events(mechanism),
         bodies: state.bodies,
         modes: modes(mechanism),
         beams: beams(compiled),
@@ -321,4 +328,22 @@ fn table(table: &Table) -> [String; 2] {
     });
     let along: Vec<String> = along.collect();
     [table.name.text.clone(), format!("{}, {}", along.join(", "), table.kind.word())]
+}
+
+/// What memories hold at the start, in their units.
+fn memories(mechanism: &Mechanism) -> Vec<Value> {
+    let value = |memory: &Memory| {
+        let (unit, scale) = (memory.unit.text.clone(), memory.unit.scale);
+        Value { name: memory.name.text.clone(), value: memory.start / scale, unit }
+    };
+    mechanism.memories.iter().map(value).collect()
+}
+
+fn events(mechanism: &Mechanism) -> Vec<[String; 3]> {
+    let said = |event: &Event| {
+        let sets = event.sets.iter().map(|(memory, _)| mechanism.memories[memory.0].name.text.as_str());
+        let sets = format!("sets {}", sets.collect::<Vec<_>>().join(", "));
+        [event.name.text.clone(), event.occasion.said(), sets]
+    };
+    mechanism.events.iter().map(said).collect()
 }

@@ -110,6 +110,8 @@ pub fn explanation(e: &Explanation) -> Value {
         "parameters": parameters.collect::<Vec<_>>(),
         "inputs": e.inputs.iter().map(|[name, unit]| json!({ "name": name, "unit": unit })).collect::<Vec<_>>(),
         "states": e.states.iter().map(value).collect::<Vec<_>>(),
+        "memories": e.memories.iter().map(value).collect::<Vec<_>>(),
+        "events": e.events.iter().map(|[name, when, sets]| json!({ "name": name, "when": when, "sets": sets })).collect::<Vec<_>>(),
         "bodies": bodies.collect::<Vec<_>>(),
         "joints": joints.collect::<Vec<_>>(),
         "couplings": named(&e.couplings),

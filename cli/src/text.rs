@@ -26,6 +26,8 @@ pub fn explanation(e: &Explanation, place: &str) -> String {
     table(&mut text, "Inputs", e.inputs.iter().map(|input| input.to_vec()).collect());
     table(&mut text, "Signals", e.signals.iter().map(|signal| signal.to_vec()).collect());
     table(&mut text, "States at the start", e.states.iter().map(value).collect());
+    table(&mut text, "Memories at the start", e.memories.iter().map(value).collect());
+    table(&mut text, "Events", e.events.iter().map(|event| event.to_vec()).collect());
     let bodies = e.bodies.iter().map(|body| {
         let moments: Vec<String> = body.moments.iter().map(|moment| number(*moment)).collect();
         let inertia =

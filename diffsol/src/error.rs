@@ -20,6 +20,11 @@ pub enum Error {
         /// The first of them.
         contact: &'static str,
     },
+    /// Events set memories: what is held between them is no part of differential equations.
+    Memory {
+        /// The first of them.
+        memory: &'static str,
+    },
     /// A time at which a state is asked for is before the one before it or the start, infinite or NaN.
     Time {
         /// Its index.
@@ -49,6 +54,11 @@ impl Display for Error {
                 f,
                 "`{contact}` is a rigid contact, whose impulses a solver of differential equations does not know; move the mechanism \
                  with a `Simulation`, or give the contact a law that yields"
+            ),
+            Error::Memory { memory } => write!(
+                f,
+                "`{memory}` is a memory, and a solver of differential equations does not know the events that set it; move the mechanism with \
+                 a `Simulation`"
             ),
             Error::Time { index, time } => write!(
                 f,

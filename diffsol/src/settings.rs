@@ -74,7 +74,7 @@ fn check(what: &'static str, value: f64, holds: bool, must_be: &'static str) -> 
 /// also beyond the end.
 ///
 /// # Errors
-/// [`Error::StartTime`]; [`Error::RigidContact`]; [`Error::Mechanism`] with `Setting`, `NonFinite`, `NotNormalised`, `Inconsistent` or `Breakdown`.
+/// [`Error::StartTime`]; [`Error::RigidContact`]; [`Error::Memory`]; [`Error::Mechanism`] with `Setting`, `NonFinite`, `NotNormalised`, `Inconsistent` or `Breakdown`.
 pub fn problem<'m, M, S>(
     model: &'m M,
     time: f64,
@@ -125,6 +125,9 @@ where
     }
     if let (true, Some(contact)) = (model.is_rigid(), model.gate_names().first().copied()) {
         return Err(Error::RigidContact { contact });
+    }
+    if let Some(&memory) = model.memory_names().first() {
+        return Err(Error::Memory { memory });
     }
     check_numbers(model, time, state)?;
     if !settings.accept_inconsistent_start {

@@ -110,7 +110,11 @@ impl Tables {
             velocities: names::list(equations.layout.velocity_names(mechanism)),
             gates: names_of(mechanism.held_names()),
             memories: names_of(mechanism.memories.iter().map(|memory| &memory.name).collect()),
-            triggers: mechanism.events_in_places().into_iter().map(|(_, event)| trigger(&event.occasion)).collect(),
+            triggers: mechanism
+                .events_in_places()
+                .into_iter()
+                .map(|(_, event)| trigger(&event.occasion))
+                .collect(),
             start_gates: compiled.start_gates(),
             rigid: mechanism.is_rigid(),
             pressed_by: mechanism.pressed_by(),

@@ -120,7 +120,7 @@ impl Display for PeriodicError {
             ),
             PeriodicError::Events { mechanism } => write!(
                 to,
-                "{mechanism} holds from event to event what its contacts do, which this integration does not see; write them as laws of their gaps"
+                "{mechanism} holds from event to event what its contacts do or its memories are, which this integration does not see; write contacts as laws of their gaps, and leave memories out"
             ),
             PeriodicError::Chatter { time, output } => write!(
                 to,

@@ -109,6 +109,7 @@ fn emitted<M: Model>(model: &M, inputs: &Inputs, function: Function) -> Option<V
             model.guards(t, state, &mut gaps, &mut forces);
             [gaps.as_slice(), forces.as_slice()].concat()
         }
+        Function::Assignments => written(at.gates, |after| model.assignments(t, state, u, after)),
         Function::Strikes => {
             let [mut rates, mut biases, mut restitutions] = [at.gates; 3];
             model.strikes(t, q, v, &mut rates, &mut biases, &mut restitutions);

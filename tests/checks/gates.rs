@@ -20,7 +20,8 @@ fn in_coordinates(source: &str, coordinates: Coordinates) -> Compiled {
 /// With the gates that live ones have at a state, forces, powers, accelerations and outputs are those of the same definition with live gates.
 fn held_is_live_at_one_state<M: Model>() {
     let model = M::standard();
-    if model.takes_whole_steps() || model.is_rigid() {
+    // Memories are no other thing where gates are live.
+    if model.takes_whole_steps() || model.is_rigid() || !model.memory_names().is_empty() {
         return;
     }
     let word = "contact = held;";

@@ -20,6 +20,7 @@ mod implicit;
 mod kinematics;
 mod language;
 mod linearisation;
+mod memories;
 mod overconstrained;
 mod page;
 mod page_equations;

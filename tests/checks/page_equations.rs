@@ -104,7 +104,9 @@ impl State {
             let number = if which == 0 { String::new() } else { format!(", {}", which + 1) };
             format!("{word}({}{number})", mechanism.loads[load.0].name.text)
         });
-        set(&known.gates, &point.gates, gates.collect());
+        let behind = mechanism.held_names().into_iter().skip(mechanism.gates().count());
+        let held = gates.chain(behind.map(|name| name.text.clone()));
+        set(&known.gates, &point.gates, held.collect());
         set(&known.lambda, &point.lambda, rows);
         let stem = |at: usize| q[at].rsplit_once('.').expect("a part of a name").0.to_string();
         let pairs = (0..e.layout.rotations.len()).map(|r| e.layout.pair(r));

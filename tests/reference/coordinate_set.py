@@ -12,7 +12,7 @@ from energies import Energies
 from magnitude import MATRICES, Evaluator
 from motion import PLANE
 
-TOUCHING = ("gaps", "laws", "gap_rates", "gap_biases", "restitutions")
+TOUCHING = ("gaps", "laws", "gap_rates", "gap_biases", "restitutions", "assignments")
 VECTORS = ("phi", "nu", "gamma", "forces", "powers", "internal_rates", "internal_starts", *TOUCHING)
 SCALARS = ("kinetic", "potential")
 
@@ -70,7 +70,7 @@ class CoordinateSet:
         if quantity in ("internal_rates", "internal_starts"):
             return lambda k: f"state '{self.model.states[k]['name']}'"
         if quantity in TOUCHING:
-            return lambda k: f"gap {k} of {[name for name, _ in self.kinematics.contacts.gates]}"
+            return lambda k: f"{quantity} {k} of {[name for name, _ in self.kinematics.contacts.gates]}"
         if quantity == "powers":
             return lambda k: f"power of '{contacts.all_loads(self.model.definition)[k]}'"
         return lambda k: quantity

@@ -15,6 +15,7 @@ import expressions
 import friction
 import gears
 import hysteresis
+import memories
 from beams import Beam
 from expressions import entry, in_unit, pair
 from tables import Table
@@ -85,7 +86,9 @@ class Model:
         self.z = ca.SX.sym("z", len(self.states))
         self.efforts = ca.SX.sym("effort", len(definition["drivers"]) if self.states else 0)
         self.normals = ca.SX.sym("normal", len(friction.rubbing(definition)))
-        self.gates = ca.SX.sym("gate", len(contacts.gates(definition)))
+        held = contacts.gates(definition)
+        self.events, self.memories = memories.in_places(definition), definition.get("memories", [])
+        self.gates = ca.SX.sym("gate", len(held) + len(self.events) + len(self.memories))
         self.values = {"time": self.time}
         for index, parameter in enumerate(definition["parameters"]):
             self.values[parameter["name"]] = self.p[index]
@@ -93,6 +96,8 @@ class Model:
             self.values[given["name"]] = self.u[index]
         for index, state in enumerate(self.states):
             self.values[state["name"]] = self.z[index]
+        for memory, gate in zip(reversed(self.memories), reversed(ca.vertsplit(self.gates))):
+            self.values[memory["name"]] = gate
         self.constants = {constant["name"]: constant for constant in definition["constants"]}
         self.signals = {signal["name"]: signal for signal in definition.get("signals", [])}
         self.tables = {

@@ -19,6 +19,7 @@ import expressions
 import friction
 import gears
 import hysteresis
+import memories
 import meshes
 import penalties
 from expressions import evaluate
@@ -104,6 +105,11 @@ class Energies:
 
         self.gaps = all_of(names, lambda name: touching.gaps(name)[0], nothing)
         self.laws = all_of(names, touching.laws, nothing)
+        self.assignments = ca.SX(0, 1)
+        if self.model.memories:
+            gaps, forces = memories.guards(self.model, kinematics)
+            self.gaps, self.laws = ca.vertcat(self.gaps, gaps), ca.vertcat(self.laws, forces)
+            self.assignments = memories.assignments(self.model, kinematics)
 
         def rates_of(name):
             return ca.vertsplit(kinematics.rate(ca.vertcat(*touching.gaps(name)[0])))

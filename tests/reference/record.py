@@ -82,7 +82,7 @@ def quantity_part(quantities, k, names):
     part = {}
     for name in names:
         value, scale = (array[k] for array in quantities[name])
-        if name.startswith(("internal_", "gap", "laws", "restitutions")) and value.size == 0:
+        if name.startswith(("internal_", "gap", "laws", "restitutions", "assignments")) and value.size == 0:
             continue
         if name in SCALARS:
             part[name] = [shortened(value[0]), rounded(scale[0])]

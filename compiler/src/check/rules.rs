@@ -68,6 +68,7 @@ fn is_of_a_size_to_write_out(mechanism: &Mechanism, diagnostics: &mut Diagnostic
     const MOST_CONSTRAINTS: usize = 4096;
     const MOST_LOADS: usize = 2048;
     const MOST_VALUES: usize = 1024;
+    const MOST_HELD: usize = 256;
     const MOST_TABLES: usize = 256;
     fn names<'a>(names: impl Iterator<Item = &'a Name> + 'a) -> Vec<&'a Name> {
         names.collect()
@@ -81,7 +82,10 @@ fn is_of_a_size_to_write_out(mechanism: &Mechanism, diagnostics: &mut Diagnostic
     let inputs = mechanism.inputs.iter().map(|input| &input.name);
     let states = mechanism.states.iter().map(|state| &state.name);
     let outputs = mechanism.outputs.iter().map(|output| &output.name);
+    let memories = mechanism.memories.iter().map(|memory| &memory.name);
+    let events = mechanism.events.iter().map(|event| &event.name);
     for (what, names, most) in [
+        ("memories and events", names(memories.chain(events)), MOST_HELD),
         ("bodies", names(mechanism.bodies.iter().map(|body| &body.name)), MOST_BODIES),
         (
             "joints, constraints and drivers",

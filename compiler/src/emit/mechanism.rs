@@ -49,7 +49,8 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
         if !mechanism.memories.is_empty() {
             let names = mechanism.memories.iter().map(|memory| memory.name.text.clone()).collect();
             tables::method(text, "memory_names", "&[&'static str]", &tables::strings(names));
-            let triggers = mechanism.events_in_places().into_iter().map(|(_, event)| trigger(&event.occasion));
+            let triggers =
+                mechanism.events_in_places().into_iter().map(|(_, event)| trigger(&event.occasion));
             tables::method(text, "triggers", "&[Trigger]", &format!("&{}", array(triggers)));
         }
         if mechanism.is_rigid() {

@@ -5,8 +5,8 @@ use super::jet::{Jet, Moving};
 use super::kinematics::Kinematics;
 use super::{Wrench, conditions, friction, loads, look_up, plane, space};
 use crate::model::{
-    Comparison, Condition, Coordinate, Expr, Function1, Function2, JointId, Load, LoadId, Mechanism, MemoryId, Place,
-    Quantity, ReactionPart, Rotor, Vector,
+    Comparison, Condition, Coordinate, Expr, Function1, Function2, JointId, Load, LoadId, Mechanism,
+    MemoryId, Place, Quantity, ReactionPart, Rotor, Vector,
 };
 use crate::symbolic::{Compare, Node, On, Scalar, Sheet, Unary};
 use std::cell::RefCell;
@@ -201,12 +201,12 @@ impl<'a> Laws<'a> {
 
     pub fn jet(&self, expr: &Expr) -> Moving<'a> {
         match expr {
-            Expr::Number(_) | Expr::Parameter(_) | Expr::Input(_)
+            Expr::Number(_)
+            | Expr::Parameter(_)
+            | Expr::Input(_)
             | Expr::State(_)
             | Expr::Memory(_)
-            | Expr::Gate(..) => {
-                self.still(self.value(expr))
-            }
+            | Expr::Gate(..) => self.still(self.value(expr)),
             Expr::Time => {
                 let time = self.g.on(self.symbols.time);
                 time.moving(self.kinematics.velocities(), Jet::time(time))

@@ -51,6 +51,10 @@ pub fn c(compiled: &Compiled, scalar: Scalar) -> Files {
 pub fn refused(compiled: &Compiled) -> Option<Diagnostics> {
     let mechanism = &compiled.mechanism;
     let mut found = Diagnostics::new();
+    if let Some(memory) = mechanism.memories.first() {
+        found.error(memory.name.span, messages::memories_in_c(&memory.name.text));
+        return Some(found);
+    }
     match (mechanism.loads.iter().find(|load| load.restitution.is_some()), mechanism.options.held_at) {
         (Some(rigid), _) => found.error(rigid.name.span, messages::rigid_in_c(&rigid.name.text)),
         (None, at) => found.error(at?, messages::held_in_c()),

@@ -7,7 +7,9 @@ pub(crate) fn memory_without_start(name: &str) -> String {
 }
 
 pub(crate) fn event_without_assignments(name: &str) -> String {
-    format!("the event `{name}` sets nothing: write `{{ memory = value; }}` behind its condition, or leave it out")
+    format!(
+        "the event `{name}` sets nothing: write `{{ memory = value; }}` behind its condition, or leave it out"
+    )
 }
 
 pub(crate) fn jump_of_a_velocity(event: &str) -> String {
@@ -33,19 +35,23 @@ pub(crate) fn period_of(event: &str) -> String {
     format!("the period of `{event}`")
 }
 
-pub(crate) fn period_not_positive(event: &str, found: f64) -> String {
+pub(crate) fn period_too_short(event: &str, found: f64) -> String {
     format!(
-        "the period of `{event}` must be positive, found {} s: write a time between two ticks, such as `every 1e-3 [s]`",
+        "the period of `{event}` must be a nanosecond or more, found {} s: write a time between two ticks, such as `every 1e-3 [s]`",
         number(found)
     )
 }
 
 pub(crate) fn sets_no_memory(name: &str) -> String {
-    format!("`{name}` is no memory, and events set memories only: declare another name by `memory NAME [unit] = value;`")
+    format!(
+        "`{name}` is no memory, and events set memories only: declare another name by `memory NAME [unit] = value;`"
+    )
 }
 
 pub(crate) fn assigned_quantity(name: &str) -> String {
-    format!("no quantity of `{name}` can be set here: events set memories only, which `memory NAME [unit] = value;` declares")
+    format!(
+        "no quantity of `{name}` can be set here: events set memories only, which `memory NAME [unit] = value;` declares"
+    )
 }
 
 pub(crate) fn unknown_memory<'a>(name: &str, memories: impl Iterator<Item = &'a str>) -> String {
@@ -56,11 +62,15 @@ pub(crate) fn unknown_memory<'a>(name: &str, memories: impl Iterator<Item = &'a 
 }
 
 pub(crate) fn set_twice(memory: &str, event: &str) -> String {
-    format!("`{event}` sets `{memory}` twice, and all that it sets is of the values before it: leave one of both out")
+    format!(
+        "`{event}` sets `{memory}` twice, and all that it sets is of the values before it: leave one of both out"
+    )
 }
 
 pub(crate) fn set_by_two(memory: &str, event: &str, earlier: &str) -> String {
-    format!("`{event}` occurs where `{earlier}` does, and both set `{memory}`: write one event, or set another memory")
+    format!(
+        "`{event}` occurs where `{earlier}` does, and both set `{memory}`: write one event, or set another memory"
+    )
 }
 
 pub(crate) fn set_here_too(memory: &str) -> String {

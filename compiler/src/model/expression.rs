@@ -2,7 +2,8 @@
 
 use super::tables::LookUp;
 use super::{
-    BodyId, ConstraintId, DriverId, InputId, JointId, LoadId, MemoryId, ParameterId, Place, Rotor, StateId, Vector,
+    BodyId, ConstraintId, DriverId, InputId, JointId, LoadId, MemoryId, ParameterId, Place, Rotor, StateId,
+    Vector,
 };
 use crate::forms::{Measures, RowForm};
 use crate::units::Dimension;

@@ -13,6 +13,9 @@ use crate::messages;
 use crate::syntax::{self, OptionEntry, Way};
 use crate::units::Dimension;
 
+/// The shortest period, s: steps end at every tick.
+const SHORTEST: f64 = 1e-9;
+
 /// A number that is kept between events.
 #[derive(Clone, Debug)]
 pub struct Memory {
@@ -69,8 +72,11 @@ impl Mechanism {
 
     /// The events in the order of their places behind the gates of contacts: what passes a level, then what has a period.
     pub fn events_in_places(&self) -> Vec<(usize, &Event)> {
-        let (passing, every): (Vec<_>, Vec<_>) =
-            self.events.iter().enumerate().partition(|(_, event)| matches!(event.occasion, Occasion::Passing(..)));
+        let (passing, every): (Vec<_>, Vec<_>) = self
+            .events
+            .iter()
+            .enumerate()
+            .partition(|(_, event)| matches!(event.occasion, Occasion::Passing(..)));
         passing.into_iter().chain(every).collect()
     }
 
@@ -116,7 +122,11 @@ impl<'d> Lowering<'d> {
                 self.diagnostics.conflict(memory.region, message, first.region, note);
             }
         }
-        Some(Event { name: name(&event.name), occasion: occasion?, sets: sets.into_iter().collect::<Option<_>>()? })
+        Some(Event {
+            name: name(&event.name),
+            occasion: occasion?,
+            sets: sets.into_iter().collect::<Option<_>>()?,
+        })
     }
 
     fn occasion(&mut self, event: &'d syntax::Event) -> Option<Occasion> {
@@ -141,9 +151,9 @@ impl<'d> Lowering<'d> {
                 let typed = self.value(period, Use::PERIOD)?;
                 let what = messages::period_of(&event.name.text);
                 match self.expect_dimension(typed, Dimension::TIME, &what)? {
-                    Expr::Number(period) if period > 0.0 => Some(Occasion::Every(period)),
+                    Expr::Number(period) if period >= SHORTEST => Some(Occasion::Every(period)),
                     Expr::Number(period) => {
-                        self.diagnostics.error(region, messages::period_not_positive(&event.name.text, period));
+                        self.diagnostics.error(region, messages::period_too_short(&event.name.text, period));
                         None
                     }
                     _ => {
@@ -177,8 +187,11 @@ impl<'d> Lowering<'d> {
     fn events_differ(&mut self, events: &[Event]) {
         for (at, event) in events.iter().enumerate() {
             for earlier in &events[..at] {
-                let both = event.sets.iter().find(|(set, _)| earlier.sets.iter().any(|(known, _)| known == set));
-                let Some((memory, _)) = both.filter(|_| event.occasion.includes(&earlier.occasion)) else { continue };
+                let both =
+                    event.sets.iter().find(|(set, _)| earlier.sets.iter().any(|(known, _)| known == set));
+                let Some((memory, _)) = both.filter(|_| event.occasion.includes(&earlier.occasion)) else {
+                    continue;
+                };
                 let memory = &self.definition.memories[memory.0].name.text;
                 let message = messages::set_by_two(memory, &event.name.text, &earlier.name.text);
                 let note = messages::set_here_too(memory);
@@ -196,7 +209,12 @@ impl<'d> Lowering<'d> {
         let rigid = (0..definition.contacts.len()).find(|index| self.is_rigid_contact(*index));
         if let Some(rigid) = rigid.map(|index| &definition.contacts[index].name) {
             let message = messages::memory_beside_rigid(&memory.name.text, &rigid.text);
-            self.diagnostics.conflict(memory.name.region, message, rigid.region, messages::rigid_here(&rigid.text));
+            self.diagnostics.conflict(
+                memory.name.region,
+                message,
+                rigid.region,
+                messages::rigid_here(&rigid.text),
+            );
         }
         for entry in &definition.options {
             if let OptionEntry::ExportC(scalar) = entry {

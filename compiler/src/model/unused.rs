@@ -98,7 +98,13 @@ fn declarations(definition: &Definition) -> impl Iterator<Item = (Scope, Declare
     let lines = definition.lines.iter().map(|it| &it.name).map(of_ground(Declared::Line));
     let surfaces = definition.surfaces.iter().map(|it| (Scope::Surface, Declared::Surface, &it.name));
     let materials = definition.materials.iter().map(|it| (Scope::Material, Declared::Material, &it.name));
-    let values =
-        constants.chain(parameters).chain(inputs).chain(states).chain(memories).chain(signals).chain(tables).chain(parts);
+    let values = constants
+        .chain(parameters)
+        .chain(inputs)
+        .chain(states)
+        .chain(memories)
+        .chain(signals)
+        .chain(tables)
+        .chain(parts);
     values.chain(of_bodies).chain(markers).chain(lines).chain(surfaces).chain(materials)
 }

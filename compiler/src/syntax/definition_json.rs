@@ -41,7 +41,8 @@ pub fn definition_json(definition: &Definition) -> String {
             });
         }
         if !definition.memories.is_empty() {
-            w.key("memories").list(&definition.memories, |w, memory| w.named_entry(&memory.name, &memory.entry));
+            w.key("memories")
+                .list(&definition.memories, |w, memory| w.named_entry(&memory.name, &memory.entry));
             w.key("events").list(&definition.events, Writer::event);
         }
         if !definition.tables.is_empty() {

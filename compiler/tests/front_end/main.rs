@@ -15,6 +15,7 @@ mod json;
 mod limits;
 mod look_up;
 mod loose;
+mod memories;
 mod mistakes;
 mod parts;
 mod penalties;

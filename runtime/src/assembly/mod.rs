@@ -19,9 +19,9 @@ use crate::ldl::Pivot;
 use crate::mechanism::{Assemble, Mechanism};
 use crate::real::Real;
 use crate::simulation::Simulation;
-use crate::trigger::align;
 use crate::state::{Kinematics, Motion, State, StateOf};
 use crate::stepper::{StepMethod, Stepper};
+use crate::trigger::align;
 use crate::vector::Vector;
 use system::System;
 

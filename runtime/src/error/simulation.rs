@@ -233,7 +233,7 @@ pub enum SimulationError {
 }
 
 impl SimulationError {
-    /// The joint, constraint, driver or contact that the error is about.
+    /// The joint, constraint, driver, contact or event that the error is about.
     pub fn joint(&self) -> Option<&'static str> {
         match self {
             SimulationError::Breakdown { row, .. }
@@ -243,6 +243,7 @@ impl SimulationError {
             | SimulationError::Projection { error: AssemblyError::NoConvergence { row, .. }, .. } => {
                 Some(row.of)
             }
+            SimulationError::EventWithoutEnd { event, .. } => Some(event),
             SimulationError::Chatter { contact, .. }
             | SimulationError::Inside { contact, .. }
             | SimulationError::Crowded { contact, .. }

@@ -22,7 +22,7 @@ pub enum StepError {
     Diverged = 6,
     /// A saved state is of another definition, or of another version of the format.
     OtherModel = 7,
-    /// The mechanism holds the gates of its contacts within steps, and a stepper finds no times between them.
+    /// The mechanism holds gates of its contacts or memories within steps, and a stepper finds no times between them.
     HeldGates = 8,
 }
 
@@ -55,7 +55,8 @@ impl StepError {
                 "the saved state belongs to another definition, or to another version of this library"
             }
             StepError::HeldGates => {
-                "the mechanism holds the gates of its contacts, and a stepper finds no touch within a step; write `options { contact = live; }`"
+                "the mechanism holds gates of contacts or memories, and a stepper finds no touch or event within a step; write `options { contact = live; }`, \
+                 or keep what memories hold beside the stepper as inputs"
             }
         }
     }

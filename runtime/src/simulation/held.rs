@@ -238,7 +238,11 @@ fn expected<R: Real, M: Mechanism<R>>(
     after: &Guards<M, R>,
 ) -> R {
     let [gaps, forces] = before;
-    let each = held.as_slice().iter().take(Places::of(model).passing).zip(gaps.as_slice().iter().zip(forces.as_slice()));
+    let each = held
+        .as_slice()
+        .iter()
+        .take(Places::of(model).passing)
+        .zip(gaps.as_slice().iter().zip(forces.as_slice()));
     let [gaps, forces] = after;
     let each = each.zip(gaps.as_slice().iter().zip(forces.as_slice()));
     let part = |a: R, b: R| a / (a - b);

@@ -7,9 +7,9 @@
 //! written last decides. What follows from the new memories, the gates of contacts and events that these let occur, is another pass
 //! at the same time. Ticks are counted: the next one is at k T, exactly, however many there were. Where steps are parted is `held.rs`.
 
+use super::Simulation;
 use super::held::EVENTS_PER_STEP;
 use super::strike::Blow;
-use super::Simulation;
 use crate::clock::Clock;
 use crate::error::SimulationError;
 use crate::formulation::Formulation;
@@ -70,7 +70,8 @@ where
                 return Ok(blow);
             }
             blow.events += count;
-            let first = (places.contacts..places.events).find(|place| at(occurring.as_slice(), *place) > R::ZERO);
+            let first =
+                (places.contacts..places.events).find(|place| at(occurring.as_slice(), *place) > R::ZERO);
             if blow.events > EVENTS_PER_STEP {
                 return Err(self.without_end(first.unwrap_or(0)));
             }

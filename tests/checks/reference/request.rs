@@ -101,6 +101,9 @@ fn touching(text: &mut String, compiled: &Compiled, inputs: &Inputs, evaluate: &
     if count > 0 {
         told(Function::Guards, &["gaps", "laws"]);
     }
+    if !compiled.mechanism.memories.is_empty() {
+        told(Function::Assignments, &["assignments"]);
+    }
     if compiled.mechanism.is_rigid() {
         told(Function::Strikes, &["gap_rates", "gap_biases", "restitutions"]);
     }

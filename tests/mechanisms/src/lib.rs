@@ -20,6 +20,7 @@ pub mod zoo_gears;
 pub mod zoo_hysteresis;
 pub mod zoo_laws;
 pub mod zoo_loose;
+pub mod zoo_memories;
 pub mod zoo_meshes;
 pub mod zoo_modal;
 pub mod zoo_parts;

@@ -166,13 +166,17 @@ pub fn compiled<M: Model>(coordinates: Option<Coordinates>) -> Compiled {
     compile(tokens, coordinates).expect("the definition was compiled before")
 }
 
-/// Gates as a run may hold them, from numbers in [−1, 1): 0 or 1; of rigid contacts a force that does not pull, N or N m.
+/// Gates as a run may hold them, from numbers in [−1, 1): 0 or 1; of rigid contacts a force that does not pull, N or N m. Events are as gates,
+/// memories any number.
 pub fn gates(mechanism: &Mechanism, mut unit: impl FnMut() -> f64) -> Vec<f64> {
     let gate = |_| match mechanism.is_rigid() {
         true => (10.0 * unit()).max(0.0),
         false => f64::from(u8::from(unit() > 0.0)),
     };
-    mechanism.gates().map(gate).collect()
+    let mut held: Vec<f64> = mechanism.gates().map(gate).collect();
+    held.extend(mechanism.events.iter().map(|_| f64::from(u8::from(unit() > 0.0))));
+    held.extend(mechanism.memories.iter().map(|_| unit()));
+    held
 }
 
 impl<M: Model> At<M> {

@@ -244,6 +244,7 @@ macro_rules! for_each_in_zoo {
             striking: $crate::zoo_gates::Striking,
             dropping: $crate::zoo_gates::Dropping,
             gripping: $crate::zoo_gates::Gripping,
+            remembering: $crate::zoo_memories::Remembering,
             yielding: $crate::zoo_penalties::Yielding,
             yielding_in_space: $crate::zoo_penalties::YieldingInSpace,
             yielding_shafts: $crate::zoo_penalties::YieldingShafts,

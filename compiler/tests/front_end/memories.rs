@@ -1,0 +1,136 @@
+//! Memories and events: what is refused, what is warned of, what the interpreted functions say of them.
+
+use crate::{bad, warnings};
+use linkwright_compiler::compile;
+use linkwright_compiler::model::{Occasion, Way};
+use linkwright_compiler::schedule::{Function, run};
+
+/// A slider with these statements.
+fn slider(statements: &str) -> String {
+    format!(
+        "planar Slider {{ input u [N]; param p [s] = 1;
+         body slider {{ mass [kg] = 1; inertia [kg*m^2] = 0.01; }}
+         joint rail: prismatic(ground(0, 0) [m], slider.origin, axis = (1, 0));
+         force pull: along(rail.travel) = u*p/1 [s];
+         start {{ rail.travel [m] = 0; rail.speed [m/s] = 1; }} {statements} }}"
+    )
+}
+
+/// With one memory that an output names.
+fn with(statements: &str) -> String {
+    slider(&format!("memory m = 0; output a = m; {statements}"))
+}
+
+#[test]
+fn mistakes_of_events_are_named() {
+    let rises = "event e: rail.travel rises 1 [m]";
+    for (statements, said) in [
+        (
+            "event e: rail.travel rises 1 { m = 1; }",
+            "the two sides of `rises` do not fit: a plain number meets a length",
+        ),
+        ("event e: p rises 1 [s] { m = 1; }", "`e` never occurs: nothing on either side of `rises` changes"),
+        (
+            "event e: every p { m = 1; }",
+            "`p` is a parameter, but the period of an event may depend on constants only",
+        ),
+        (
+            "event e: every m*1 [s] { m = 1; }",
+            "`m` is a memory, but the period of an event may depend on constants only",
+        ),
+        ("event e: every 1e-12 [s] { m = 1; }", "must be a nanosecond or more, found 1e-12 s"),
+        ("event e: every 3 { m = 1; }", "the period of `e` is given a plain number"),
+        ("event e: u rises 1 [N] { m = 1; }", "`u` is an input, but the condition of an event may depend on"),
+        (
+            "event e: energy rises 1 [J] { m = 1; }",
+            "`energy` is a result, but the condition of an event may depend on",
+        ),
+        (
+            "event e: rail.travel > 1 [m] { m = 1; }",
+            "expected `rises`, `falls` or `crosses` and a level, found `{`",
+        ),
+        (
+            "event e: every 1 [s] { q = 1; }",
+            "no memory called \"q\": declare it by `memory q [unit] = value;`",
+        ),
+    ] {
+        bad(&with(statements), said);
+    }
+    for (sets, said) in [
+        ("{ }", "the event `e` sets nothing"),
+        ("{ p = 1 [s]; }", "`p` is no memory, and events set memories only"),
+        ("{ rail.speed = 1; }", "no quantity of `rail` can be set here"),
+        ("{ m = 1; m = 2; }", "`e` sets `m` twice"),
+        ("{ m = rail.travel; }", "`m` is given a length"),
+    ] {
+        bad(&with(&format!("{rises} {sets}")), said);
+    }
+    let again = "event e: every 1 [s] { m = 1; } event e: every 2 [s] { m = 1; }";
+    bad(&with(again), "`e` is declared twice");
+    bad(&slider("memory m [1];"), "the memory \"m\" has no start value");
+    bad(
+        &slider("memory m = p/1 [s]; output a = m; event e: every 1 [s] { m = 1; }"),
+        "`p` is a parameter, but",
+    );
+    let c = format!("{rises} {{ m = 1; }} options {{ export_c = f64; }}");
+    bad(&with(&c), "find no event within them, so that `m` would be set late");
+}
+
+#[test]
+fn what_makes_no_difference_is_warned_of() {
+    assert!(warnings(&slider("memory m = 0; output a = m;")).contains("no event sets the memory `m`"));
+    let unread = slider("memory m = 0; event e: every 1 [s] { m = 1; }");
+    assert!(warnings(&unread).contains("nothing names the memory `m`"));
+    let meant = slider("memory _m = 0; #[allow(unused)] memory n = 0; event e: every 1 [s] { n = n + 1; }");
+    assert_eq!(warnings(&meant), "");
+}
+
+/// The same event twice is refused only where both are sure to be at one time.
+#[test]
+fn events_that_may_differ_may_set_the_same() {
+    let compiled = |statements: &str| {
+        compile(with(statements).parse().expect("tokens"), None).unwrap_or_else(|found| panic!("{found}"))
+    };
+    compiled("event e: rail.travel rises 1 [m] { m = 1; } event f: rail.travel falls 1 [m] { m = 2; }");
+    compiled("event e: every 1 [s] { m = 1; } event f: every 2 [s] { m = 2; }");
+    bad(
+        &with("event e: rail.travel rises 1 [m] { m = 1; } event f: rail.travel crosses 1 [m] { m = 2; }"),
+        "`f` occurs where `e` does, and both set `m`",
+    );
+}
+
+/// Guards are level − value; what is set is of the values before, the last written decides, and what does not occur sets nothing.
+#[test]
+fn functions_say_what_is_written() {
+    let source = slider(
+        "memory m = 2; memory n [m] = 0.5; output a = m; output b [m] = n;
+         event tick: every 0.5 [s] { m = m + 1; n = rail.travel*m; }
+         event out: 2*rail.travel falls 3 [m] { n = 7 [m]; }",
+    );
+    let compiled = compile(source.parse().expect("tokens"), None).unwrap_or_else(|found| panic!("{found}"));
+    let mechanism = &compiled.mechanism;
+    let names: Vec<&str> = mechanism.held_names().iter().map(|name| name.text.as_str()).collect();
+    assert_eq!(names, ["out", "tick", "m", "n"]);
+    assert!(matches!(mechanism.events[1].occasion, Occasion::Passing(_, Way::Falls)));
+    assert_eq!(mechanism.events[0].occasion, Occasion::Every(0.5));
+    assert_eq!(compiled.start_gates(), [0.0, 0.0, 2.0, 0.5]);
+    let mut at = linkwright_compiler::schedule::Inputs {
+        parameters: vec![1.0],
+        q: vec![0.25],
+        v: vec![1.0],
+        inputs: vec![0.0],
+        ..Default::default()
+    };
+    at.prepared = run(compiled.programs.get(Function::Prepare), &at);
+    for (occur, after) in [
+        ([0.0, 0.0], [2.0, 0.5]),
+        ([0.0, 1.0], [3.0, 0.5]),
+        ([1.0, 0.0], [2.0, 7.0]),
+        ([1.0, 1.0], [3.0, 7.0]),
+    ] {
+        at.gates = vec![occur[0], occur[1], 2.0, 0.5];
+        assert_eq!(run(compiled.programs.get(Function::Assignments), &at)[2..], after);
+        let guards = run(compiled.programs.get(Function::Guards), &at);
+        assert_eq!(guards, [3.0 - 0.5, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]);
+    }
+}
