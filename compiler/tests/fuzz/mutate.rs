@@ -256,7 +256,7 @@ fn swap_names(random: &mut Random, tokens: &mut Vec<String>, _: &[String]) {
 }
 
 /// Words that may stand in one another's place.
-const CLASSES: [&str; 11] = [
+const CLASSES: [&str; 13] = [
     "body rod disk box sphere cylinder particle beam flexible",
     "revolute prismatic fixed distance spherical universal cylindrical planar screw constant_velocity point_on_line \
      point_on_plane cam",
@@ -267,6 +267,8 @@ const CLASSES: [&str; 11] = [
     "external internal rack bevel worm",
     "teeth starts cone diameter module shift helix addendum dedendum first bore face_width pressure_angle",
     "mesh shaft",
+    "memory state param const",
+    "rises falls crosses every",
     "force torque spring damper torsion_spring",
     "mass inertia length radius width height density center size point marker",
 ];

@@ -11,7 +11,7 @@ const WORDS: &str = "planar spatial pub const param input gravity body rod disk 
     travel speed angle_1 rate_2 x y z velocity origin end orientation coordinates cut independent redundant emit crate \
     auto solution multipliers independent tree absolute drop keep refuse penalty projection null_space tangent degrees_of_freedom operations ground time \
     pi sqrt abs sign min max sin cos tan asin acos atan2 atan exp ln log10 sinh cosh tanh hypot clamp deadband masing bouc_wen backbone depth share exponent beta gamma resistance step smoothstep wrap dot cross norm signal along if and or not energy power kinetic_energy in a b c i N \
-    m kg s rad deg rpm N mm Hz self type r#type fn table file grid periodic cubic outside hold columns skip slope state part place Leg DcMotor Tyre left Größe";
+    m kg s rad deg rpm N mm Hz self type r#type fn table file grid periodic cubic outside hold columns skip slope state memory event rises falls crosses every jump part place Leg DcMotor Tyre left Größe";
 
 const NUMBERS: &str = "0 1 2 3 10 96 1000000 9223372036854775807 99999999999999999999999 0.5 1e308 1e-308 5e-324 1e400 \
     0.1f32 0x10 1_000 4.9e-162";
