@@ -46,8 +46,8 @@ impl Places {
     #[inline(always)]
     pub fn of<R: Real, M: Mechanism<R> + ?Sized>(model: &M) -> Self {
         let triggers = model.triggers();
-        let events = model.gate_names().len() - model.memory_names().len();
-        let contacts = events - triggers.len();
+        let events = model.gate_names().len().saturating_sub(model.memory_names().len());
+        let contacts = events.saturating_sub(triggers.len());
         let passing = contacts + triggers.iter().filter(|trigger| !trigger.is_periodic()).count();
         Places { contacts, passing, events }
     }

@@ -63,10 +63,16 @@ fn mistakes_of_events_are_named() {
         said(&with(statements), text);
     }
     for (sets, text) in [
-        ("{ }", "the event `e` sets nothing"),
-        ("{ p = 1 [s]; }", "`p` is no memory, and events set memories only"),
+        ("{ }", "` sets nothing: write `{ memory = value; }` behind its condition, or leave it out"),
+        (
+            "{ p = 1 [s]; }",
+            "` is no memory, and events set memories only: declare another name by `memory NAME [unit] = value;`",
+        ),
         ("{ rail.speed = 1; }", "no quantity of `rail` can be set here"),
-        ("{ m = 1; m = 2; }", "`e` sets `m` twice"),
+        (
+            "{ m = 1; m = 2; }",
+            "` twice, and all that it sets is of the values before it: leave one of both out",
+        ),
         ("{ m = rail.travel; }", "`m` is given a length"),
     ] {
         said(&with(&format!("{rises} {sets}")), text);
@@ -79,7 +85,10 @@ fn mistakes_of_events_are_named() {
         "`p` is a parameter, but",
     );
     let c = format!("{rises} {{ m = 1; }} options {{ export_c = f64; }}");
-    said(&with(&c), "find no event within them, so that `m` would be set late");
+    said(
+        &with(&c),
+        "the functions in C take whole steps and find no event within them, so that `m` would be set late",
+    );
 }
 
 #[test]
@@ -91,6 +100,22 @@ fn what_makes_no_difference_is_warned_of() {
     assert!(warnings(&unread).to_string().contains("nothing names the memory `m`"));
     let meant = slider("memory _m = 0; #[allow(unused)] memory n = 0; event e: every 1 [s] { n = n + 1; }");
     assert!(warnings(&meant).is_empty());
+}
+
+/// What there is not yet is said to be so, with what to write instead; of two places both are shown.
+#[test]
+fn what_is_not_there_yet_is_refused() {
+    said(
+        &with("event e: every 1 [s] { m = 1; jump(rail.speed = 0); }"),
+        "` cannot make a velocity jump: events set memories only; let a load push that a memory switches on, or let a rigid contact strike, \
+         `contact NAME: between(…) = rigid(restitution = …);`",
+    );
+    let rigid =
+        "event e: every 1 [s] { m = 1; } limit stop: rail.travel [m] in -1..2 = rigid(restitution = 0);";
+    said(&with(rigid), "` cannot be in one mechanism yet: give `");
+    said(&with(rigid), "memories such as `m` and rigid contacts such as `stop`");
+    let twice = with("event e: every 1 [s] { m = 1; } event f: every 1000 [ms] { m = 2; }");
+    said(&twice, "` is set here too");
 }
 
 /// The same event twice is refused only where both are sure to be at one time.

@@ -29,7 +29,7 @@ linkwright::mechanism! {
         }
         event latch: bore.travel rises 0.1 [m] { engaged = 1; touched = bore.speed; }
         event off: bore.travel falls 0.1 [m] { engaged = 0; }
-        event swing: pivot.angle crosses -90 [deg] { swings = swings + 1; most = max(most, pivot.reaction.size); }
+        event swing: pivot.angle crosses -90 [deg] { swings = swings + 1; most = max(most, 2 [N*s/rad]*abs(pivot.rate)); }
         event pushed: time rises 0.6 [s] { most = 2*pull; }
         force motor: along(rail.travel) = held;
         force spring: along(bore.travel) = -stiffness*engaged*(bore.travel - 0.1 [m]);
