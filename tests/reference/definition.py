@@ -228,7 +228,8 @@ def rotors_in_use(model):
             found += [load["first"], load["second"]]
         if load["kind"] == "mesh":
             found += model.pairs[load["name"]].terms
-    for part in (definition["constraints"], definition["drivers"], definition["loads"], definition.get("contacts", [])):
+    parts = ("constraints", "drivers", "loads", "contacts", "events")
+    for part in (definition.get(name, []) for name in parts):
         for text in _names(part, model.signals):
             owner, _, quantity = text.rpartition(".")
             if quantity == "angle" and (owner in model.bodies or owner in model.joints):

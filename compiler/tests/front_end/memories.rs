@@ -132,6 +132,24 @@ fn events_that_may_differ_may_set_the_same() {
     );
 }
 
+/// Their jump by a turn is no event.
+#[test]
+fn angles_of_events_are_counted() {
+    let wheel = "planar Wheel { disk wheel { mass [kg] = 1; radius [m] = 0.1; }
+        joint axle: revolute(ground(0, 0) [m], wheel.center);
+        memory m = 0; memory n [rad] = 0; output a = m; output b [rad] = n;
+        start { axle.angle [rad] = 0; axle.rate [rad/s] = 1; }";
+    for event in [
+        "event e: axle.angle rises 10 [rad] { m = 1; n = 1 [rad]; }",
+        "event e: every 1 [s] { m = 1; n = axle.angle; }",
+    ] {
+        let source = format!("{wheel} {event} }}");
+        let compiled =
+            compile(source.parse().expect("tokens"), None).unwrap_or_else(|found| panic!("{found}"));
+        assert_eq!(compiled.complete.equations.layout.angles.len(), 1, "{event}");
+    }
+}
+
 /// Guards are level − value; what is set is of the values before, the last written decides, and what does not occur sets nothing.
 #[test]
 fn functions_say_what_is_written() {

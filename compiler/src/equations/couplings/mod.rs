@@ -18,7 +18,7 @@ use super::space::joints::{self, Elementary};
 use crate::forms::{Argument, CouplingForm, Need, Positional, RowForm};
 use crate::model::{
     Constraint, ConstraintKind, Coordinate, Coupled, Coupling, Driver, Expr, JointId, Load, Mechanism,
-    Quantity, Rotor, Space,
+    Occasion, Quantity, Rotor, Space,
 };
 use crate::symbolic::Node;
 use crate::units::Dimension;
@@ -134,6 +134,13 @@ pub fn multi_turn_rotors(mechanism: &Mechanism) -> Vec<Rotor> {
             rotors.extend(pair.terms.iter().chain(&pair.turns).map(|(_, rotor)| *rotor));
         }
         load.expressions().for_each(|expression| angles_in(expression, &mut rotors));
+    }
+    // An angle that jumps by a turn passes no level, and what is remembered of one goes on.
+    for event in &mechanism.events {
+        if let Occasion::Passing(past, _) = &event.occasion {
+            angles_in(past, &mut rotors);
+        }
+        event.sets.iter().for_each(|(_, value)| angles_in(value, &mut rotors));
     }
     // The travel of a screw is its counted angle times the pitch.
     for (index, joint) in mechanism.joints.iter().enumerate() {
