@@ -65,7 +65,8 @@
 //! # What is there
 //! All bodies, joints, couplings, equations, drivers, loads, tables, internal states and functions of the language, in plane and space.
 //! Refused by name ([`DefinitionError::NotThereYet`]) are rates of internal states that name reactions of joints, tensions or powers of
-//! drivers, lines of the ground that move, cables whose length is of positions and inputs at once, bodies with the modes of a file, friction in joints that yield, and rigid contacts. Outputs, `start`
+//! drivers, lines of the ground that move, cables whose length is of positions and inputs at once, bodies with the modes of a file, friction in joints that yield,
+//! memories and events, joints on cams, and rigid contacts. Outputs, `start`
 //! and `expect` of a definition are not read: a state is given body by body.
 //!
 //! `cargo bench -p linkwright-generic` measures what it takes beside the emitted code.

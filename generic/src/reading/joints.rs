@@ -80,7 +80,10 @@ impl<'t> Reader<'t> {
         let kind = text(node, "kind", own)?;
         let known = if self.spatial { SPACE.contains(&kind) } else { PLANE.contains(&kind) };
         if !known {
-            return Err(DefinitionError::kind(own, kind));
+            return Err(match kind {
+                "cam" => DefinitionError::not_there_yet(own, "joints on cams"),
+                _ => DefinitionError::kind(own, kind),
+            });
         }
         let mut axis = match optional(node, "axis") {
             Some(axis) => self.tuple(axis, "value", own)?,

@@ -92,6 +92,9 @@ pub(crate) fn read(tree: &Value, given: &HashMap<String, f64>) -> Read<Definitio
         counted: Vec::new(),
         tables: HashMap::new(),
     };
+    if let Some(memory) = list(tree, "memories", "memories")?.first() {
+        return Err(DefinitionError::not_there_yet(name(memory, "memories")?, "memories and events"));
+    }
     let inputs = list(tree, "inputs", "inputs")?;
     let inputs = inputs.iter().map(|input| name(input, "inputs")).collect::<Read<Vec<_>>>()?;
     reader.inputs = inputs.iter().enumerate().map(|(at, name)| (*name, at)).collect();

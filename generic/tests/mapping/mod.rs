@@ -1,5 +1,11 @@
 //! States of emitted models as the generic solver has them: body by body.
 
+#![allow(dead_code, reason = "each program takes what it needs")]
+
+pub mod beams;
+pub mod states;
+pub mod truth;
+
 use linkwright::{Fields, Report, StateOf, Vector};
 use linkwright_generic::{BodyMotion, Mechanism, State};
 
