@@ -6,10 +6,7 @@
 
 mod mapping;
 
-use linkwright::{
-    Assemble, AssembleExt, Fields, Report, State, StateOf, Vector, project_position, project_velocity,
-    retract,
-};
+use linkwright::{AssembleExt, Fields, State, StateOf, Vector, project_position, project_velocity, retract};
 use linkwright_compiler::functions::Argument;
 use linkwright_compiler::schedule::{Function, Source, outputs, sources};
 use linkwright_compiler::symbolic::{Node, Op, Unary, evaluate_with};
@@ -249,10 +246,7 @@ fn scattered<M: Model>(model: &M, random: &mut Random) -> Option<(f64, StateOf<M
     Some((0.0, State { gates: model.live_gates(0.0, &state), ..state }))
 }
 
-fn every_mutant_is_caught<M: Model>(name: &str, texts: [&str; 2], seeds: u64)
-where
-    M: Assemble<f64> + Report<f64>,
-{
+fn every_mutant_is_caught<M: Model>(name: &str, texts: [&str; 2], seeds: u64) {
     let tokens = M::SOURCE.parse().unwrap_or_else(|error| panic!("{error}"));
     let compiled = compile(tokens, None).unwrap_or_else(|errors| panic!("{errors}"));
     let model = M::standard();
@@ -291,8 +285,8 @@ macro_rules! judged {
 
 judged! {
     bent: mechanisms::zoo_beams::Bent, 20,
+    bent_in_space: mechanisms::zoo_beams_in_space::BentInSpace, 20,
     loose_ball: mechanisms::zoo_loose::LooseBall, 20,
     loose_loop: mechanisms::zoo_loose::LooseLoop, 20,
-    rubbing_beams: mechanisms::zoo_rubbing_beams::RubbingBeams, 20,
     yielding_in_space: mechanisms::zoo_penalties::YieldingInSpace, 20,
 }
