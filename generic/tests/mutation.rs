@@ -158,7 +158,7 @@ impl<'a, M: Model> Judge<'a, M> {
         found.is_some()
     }
 
-    /// Flipped signs and dropped terms of every sum, difference and negation; the other side of every larger or smaller one.
+    /// Flipped signs and dropped terms of every sum, difference and negation.
     fn mutations(&self) -> Vec<(Node, Op, &'static str)> {
         let zero = self.compiled.complete.equations.zero;
         let mut found = Vec::new();

@@ -268,7 +268,8 @@ pub trait Mechanism<R: Real>: Variables<R> {
         let _ = (time, q, v, rates, biases, restitutions);
     }
     /// The gates as they are at a state, whatever its own are: 1 where the gap is below zero and the force of the law above, else 0; 0, which
-    /// is open, of rigid contacts. Likewise the sides on which events stand that pass a level; ticks and memories are those of the state. What a state that was put together by hand needs, and one at which derivatives are asked for.
+    /// is open, of rigid contacts. Likewise the sides on which events stand that pass a level; ticks and memories
+    /// are those of the state. What a state that was put together by hand needs, and one at which derivatives are asked for.
     ///
     /// ```text
     /// state.gates = model.live_gates(time, &state);

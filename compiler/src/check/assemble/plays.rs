@@ -2,7 +2,7 @@
 //! to one another, by their parts of the clearances: Σ (e/c)² is least, with e between the centres and c the clearance. There a loop is as long or
 //! as short as it can be, so that nothing further is asked of these joints, neither where they start nor how fast.
 
-use super::descent::{Descent, Role, TO_THE_END};
+use super::descent::{Descent, Rest, Role, TO_THE_END};
 use super::initial::{Stated, Variation};
 use super::{Ancestry, Point, attempts, messages, problem};
 use crate::diagnostics::Diagnostics;
@@ -97,11 +97,11 @@ fn nearest(
         let parts = stand(&mut point);
         Some((rest, parts))
     });
-    // The first that is within reach is nearest to the guesses.
-    let mut best: Option<(super::descent::Rest, Vec<(f64, f64)>)> = None;
+    // The first that is within reach is nearest to the guesses; where none is, the least tells what is missing.
+    let mut best: Option<(Rest, Vec<(f64, f64)>)> = None;
     for (rest, parts) in near {
         let reaches = parts.iter().all(|(apart, clearance)| apart <= clearance);
-        if best.as_ref().is_none_or(|(known, _)| rest.cost < known.cost) {
+        if reaches || best.as_ref().is_none_or(|(known, _)| rest.cost < known.cost) {
             best = Some((rest, parts));
         }
         if reaches {
@@ -122,6 +122,7 @@ fn nearest(
     Some(rest.q)
 }
 
+/// The joints with play whose centres the start has together.
 fn centred(mechanism: &Mechanism, equations: &Equations) -> Vec<Loose> {
     let laws = Laws::moving(
         equations.graph.sheet(),
