@@ -14,6 +14,7 @@ use linkwright_compiler::{Compiled, compile};
 use linkwright_generic::Mechanism;
 use mapping::states::{Random, states};
 use mapping::truth::{At, Truth};
+use mechanisms::mutants::{self, Mutant};
 use mechanisms::registry::Model;
 use std::cell::RefCell;
 
@@ -159,38 +160,15 @@ impl<'a, M: Model> Judge<'a, M> {
     }
 
     /// Flipped signs and dropped terms of every sum, difference and negation.
-    fn mutations(&self) -> Vec<(Node, Op, &'static str)> {
-        let zero = self.compiled.complete.equations.zero;
-        let mut found = Vec::new();
-        for node in &self.needed {
-            match self.compiled.complete.equations.graph.read().op(*node) {
-                Op::Add(a, b) => found.extend([
-                    (*node, Op::Sub(a, b), "second sign flipped"),
-                    (*node, Op::Sub(b, a), "first sign flipped"),
-                    (*node, Op::Add(a, zero), "second term dropped"),
-                    (*node, Op::Add(b, zero), "first term dropped"),
-                ]),
-                Op::Sub(a, b) => found.extend([
-                    (*node, Op::Add(a, b), "second sign flipped"),
-                    (*node, Op::Sub(b, a), "both signs flipped"),
-                    (*node, Op::Add(a, zero), "second term dropped"),
-                    (*node, Op::Sub(zero, b), "first term dropped"),
-                ]),
-                Op::Neg(a) => found.push((*node, Op::Add(a, zero), "negation dropped")),
-                _ => {}
-            }
-        }
-        found
+    fn mutations(&self) -> Vec<Mutant> {
+        let equations = &self.compiled.complete.equations;
+        mutants::mutants(&equations.graph.read(), &self.needed, equations.zero)
     }
 
     /// Changes that change nothing: what is only squared, or whose size alone counts.
     fn is_equivalent(&self, node: Node, change: Op) -> bool {
         let graph = self.compiled.complete.equations.graph.read();
-        let negates = match (graph.op(node), change) {
-            (Op::Sub(a, b), Op::Sub(c, d)) => a == d && b == c,
-            (Op::Neg(_), Op::Add(..)) => true,
-            _ => false,
-        };
+        let negates = mutants::negates(&graph, node, change);
         let is_output = self.accelerations.iter().chain(&self.rates).any(|output| *output == node);
         let even =
             |op: &Op| matches!(op, Op::Unary(Unary::Abs | Unary::Cos, _)) || *op == Op::Mul(node, node);
@@ -215,16 +193,10 @@ impl<'a, M: Model> Judge<'a, M> {
 
     fn describe(&self, node: Node) -> String {
         let graph = self.compiled.complete.equations.graph.read();
-        let name = |node: Node| match graph.op(node) {
-            Op::Symbol(symbol) => graph.symbol_name(symbol).to_string(),
-            Op::Constant(bits) => format!("{}", f64::from_bits(bits)),
-            other => format!("{other:?}"),
-        };
-        let operands: Vec<String> = graph.op(node).operands().map(name).collect();
         let users =
             self.needed.iter().map(|user| graph.op(*user)).filter(|op| op.operands().any(|it| it == node));
         let users: Vec<String> = users.map(|op| format!("{op:?}")).collect();
-        format!("{:?} of ({}), used by {}", graph.op(node), operands.join("; "), users.join("; "))
+        format!("{}, used by {}", mutants::describe(&graph, node), users.join("; "))
     }
 }
 

@@ -8,6 +8,7 @@ use linkwright_compiler::functions::Argument;
 use linkwright_compiler::model::{Coordinates, Space};
 use linkwright_compiler::schedule::{Function, Inputs, Source, outputs, sources};
 use linkwright_compiler::symbolic::{Node, Op, Unary, evaluate_with};
+use mechanisms::mutants::{self, Mutant};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
@@ -159,9 +160,7 @@ impl<'a> Judge<'a> {
     }
 
     /// Flipped signs and dropped terms of every sum, difference and negation.
-    fn mutations(&self) -> Vec<(Node, Op, &'static str)> {
-        let zero = self.compiled.complete.equations.zero;
-        let mut found = Vec::new();
+    fn mutations(&self) -> Vec<Mutant> {
         // Independent velocities are judged where they may lead: in absolute coordinates of trees, whose recorded states are near dead
         // centres of theirs, rounding hides small terms.
         let is_judged = |function: &Function| {
@@ -169,36 +168,15 @@ impl<'a> Judge<'a> {
         };
         let judged = self.outputs.iter().filter(|(function, _)| is_judged(function));
         let roots = judged.flat_map(|(_, nodes)| nodes).copied();
-        let judged = self.compiled.complete.equations.graph.read().reachable(roots);
-        for node in &judged {
-            match self.compiled.complete.equations.graph.read().op(*node) {
-                Op::Add(a, b) => found.extend([
-                    (*node, Op::Sub(a, b), "second sign flipped"),
-                    (*node, Op::Sub(b, a), "first sign flipped"),
-                    (*node, Op::Add(a, zero), "second term dropped"),
-                    (*node, Op::Add(b, zero), "first term dropped"),
-                ]),
-                Op::Sub(a, b) => found.extend([
-                    (*node, Op::Add(a, b), "second sign flipped"),
-                    (*node, Op::Sub(b, a), "both signs flipped"),
-                    (*node, Op::Add(a, zero), "second term dropped"),
-                    (*node, Op::Sub(zero, b), "first term dropped"),
-                ]),
-                Op::Neg(a) => found.push((*node, Op::Add(a, zero), "negation dropped")),
-                _ => {}
-            }
-        }
-        found
+        let equations = &self.compiled.complete.equations;
+        let graph = equations.graph.read();
+        mutants::mutants(&graph, &graph.reachable(roots), equations.zero)
     }
 
     /// Changes that change nothing, and why.
     fn equivalence(&self, node: Node, change: Op) -> Option<&'static str> {
         let graph = &self.compiled.complete.equations.graph.read();
-        let negates = match (graph.op(node), change) {
-            (Op::Sub(a, b), Op::Sub(c, d)) => a == d && b == c,
-            (Op::Neg(_), Op::Add(..)) => true,
-            _ => false,
-        };
+        let negates = mutants::negates(graph, node, change);
         let users: Vec<Op> = self.needed.iter().map(|user| graph.op(*user)).collect();
         let uses = users.iter().filter(|op| op.operands().any(|operand| operand == node));
         let is_output = self.outputs.values().flatten().any(|output| *output == node);
@@ -313,18 +291,12 @@ impl<'a> Judge<'a> {
 
     fn describe(&self, node: Node) -> String {
         let graph = &self.compiled.complete.equations.graph.read();
-        let name = |node: Node| match graph.op(node) {
-            Op::Symbol(symbol) => graph.symbol_name(symbol).to_string(),
-            Op::Constant(bits) => format!("{}", f64::from_bits(bits)),
-            other => format!("{other:?}"),
-        };
-        let operands: Vec<String> = graph.op(node).operands().map(name).collect();
         let users: Vec<&str> = self
             .outputs
             .iter()
             .filter(|(_, nodes)| graph.reachable(nodes.iter().copied()).contains(&node))
             .map(|(function, _)| function.name())
             .collect();
-        format!("{:?} of ({}), used by {}", graph.op(node), operands.join("; "), users.join(", "))
+        format!("{}, used by {}", mutants::describe(graph, node), users.join(", "))
     }
 }

@@ -3,6 +3,7 @@
 
 pub mod everything;
 pub mod files;
+pub mod mutants;
 #[path = "../../runtime_fuzz/random.rs"]
 pub mod random;
 pub mod registry;
