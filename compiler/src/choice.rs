@@ -45,12 +45,12 @@ pub fn choose(
     asked: Coordinates,
     errors: &mut Diagnostics,
 ) -> Option<(Candidate, Choice)> {
-    let countable = check::absolute_can_count(mechanism);
-    if let (Coordinates::Absolute, Err((joint, message))) = (asked, &countable) {
+    let possible = check::absolute_is_possible(mechanism);
+    if let (Coordinates::Absolute, Err((joint, message))) = (asked, &possible) {
         errors.error(mechanism.joints[joint.0].name.span, message.clone());
         return None;
     }
-    let asked = if countable.is_err() { Coordinates::Tree } else { asked };
+    let asked = if possible.is_err() { Coordinates::Tree } else { asked };
     if asked == Coordinates::Absolute {
         let absolute = absolute(mechanism, &tree, &assembly, errors)?;
         let (candidate, counts) = solved(mechanism, absolute.0, absolute.1, errors)?;

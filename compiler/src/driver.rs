@@ -99,6 +99,7 @@ fn start_of_model(mechanism: Mechanism, asked: Coordinates) -> Result<Start, Dia
     let mut errors = Diagnostics::new();
     let spanning = SpanningTree::spanning(&mechanism);
     check::counted_angles(&mechanism, &spanning)?;
+    check::curves(&mechanism, &spanning)?;
     check::ways(&mechanism, &spanning, &mut errors);
     if !errors.is_empty() {
         return Err(errors);
@@ -134,6 +135,10 @@ pub fn compile_model(
     let spanning = tree.tree.clone();
     let tree = equations::without_redundant(&mechanism, spanning, tree, &assembly.omitted);
     // AFTER THIS POINT a consistent start is known and the constraint rows are independent there.
+    check::standing(&mechanism, &tree, &assembly, &mut errors);
+    if !errors.is_empty() {
+        return Err(errors);
+    }
     check::deflections(&mechanism, &tree, &assembly, &mut errors);
     motion::check(&mechanism, &tree, &assembly, &mut warnings, &mut errors);
     if !errors.is_empty() {

@@ -65,9 +65,13 @@ pub fn asked(mechanism: &Mechanism) -> Vec<Asked<'_>> {
         ConstraintKind::Coupling(_) | ConstraintKind::Teeth { .. } => None,
     });
     let drivers = mechanism.drivers.iter().map(|driver| (&driver.name, &driver.law));
+    let curves = mechanism
+        .joints
+        .iter()
+        .flat_map(|joint| joint.functions().into_iter().flatten().map(move |it| (&joint.name, it)));
     let rates = mechanism.states.iter().filter_map(|state| Some((&state.name, state.rate.written()?)));
     let mut found: Vec<Asked> = Vec::new();
-    for (of, expr) in laws.chain(constraints).chain(drivers).chain(rates) {
+    for (of, expr) in laws.chain(constraints).chain(curves).chain(drivers).chain(rates) {
         expr.visit(&mut |part| {
             let Expr::Table(look_up) = part else { return };
             let (Curve::Line { period: None, .. } | Curve::Grid { .. }) = &*look_up.curve else { return };

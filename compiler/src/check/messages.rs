@@ -121,6 +121,27 @@ pub fn counted_and_cut(joint: &str) -> String {
     )
 }
 
+pub fn curve_in_absolute(joint: &str) -> String {
+    format!(
+        "the curve of \"{joint}\" is no graph, so its parameter is a coordinate, which absolute coordinates do not have; write `coordinates = tree`, or \
+         leave `x` out so that the parameter is x itself"
+    )
+}
+
+pub fn curve_closes_a_loop(joint: &str) -> String {
+    format!(
+        "\"{joint}\" closes a loop, and its curve is no graph: its parameter is a coordinate only where a body hangs on the curve. Leave `x` out, so that \
+         the parameter is x itself, or join the point to a body of its own that is on the curve, a small roller"
+    )
+}
+
+pub fn curve_stands(joint: &str, parameter: f64) -> String {
+    format!(
+        "the curve of \"{joint}\" stands still where its parameter is {parameter}: the point could not move there (a cusp, or a parameter that slows down \
+         to rest). Start at another parameter, or let the parameter grow with the length of the curve"
+    )
+}
+
 pub fn counted_and_yielding(joint: &str) -> String {
     format!(
         "the turns of \"{joint}\" are counted, because a law, driver or coupling uses its angle, and in space only the angle of a joint \

@@ -5,6 +5,7 @@ mod beams;
 mod beyond;
 mod contacts;
 mod cords;
+mod curves;
 mod friction;
 mod gears;
 mod messages;
@@ -21,6 +22,7 @@ pub use beams::{Strain, strains, unstiffened};
 pub use beyond::beyond_tables;
 pub use contacts::{Blow, contact_times, contacts};
 pub use cords::cords;
+pub use curves::{curves, standing};
 pub use penalty::{Vibration, vibration};
 pub use steady::{steady, unstable};
 pub use warnings::{unstable_states, warnings};
@@ -56,9 +58,12 @@ pub fn counted_angles(mechanism: &Mechanism, tree: &SpanningTree) -> Result<(), 
     errors.finish(())
 }
 
-/// Whether absolute coordinates can count the angles that the dynamics use: their axes have to be known here, and a
-/// universal joint has two that move.
-pub fn absolute_can_count(mechanism: &Mechanism) -> Result<(), (JointId, String)> {
+/// Whether absolute coordinates have all that the dynamics use. They can count angles: their axes have to be known here, and a
+/// universal joint has two that move. They do not have the parameter of a curve that is no graph.
+pub fn absolute_is_possible(mechanism: &Mechanism) -> Result<(), (JointId, String)> {
+    if let Some(index) = mechanism.joints.iter().position(Joint::must_carry) {
+        return Err((JointId(index), messages::curve_in_absolute(&mechanism.joints[index].name.text)));
+    }
     for rotor in couplings::multi_turn_rotors(mechanism) {
         let Rotor::Joint(id, _) = rotor else { continue };
         let joint = &mechanism.joints[id.0];

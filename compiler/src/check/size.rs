@@ -6,7 +6,7 @@
 use super::messages::{self, Oversize};
 use crate::diagnostics::Diagnostics;
 use crate::equations::{self, Attachment, Equations, Omitted, SpanningTree, space};
-use crate::model::{Coordinates, Frame, Mechanism, Space};
+use crate::model::{Coordinates, Frame, Joint, Mechanism, Space};
 use crate::solve::structural_operations;
 
 /// Operations of one elimination, by structure. It is written out with several right-hand sides and read by rustc: at this size a
@@ -76,6 +76,8 @@ pub fn size(mechanism: &Mechanism, tree: &Equations, asked: Coordinates, errors:
 /// itself.
 fn in_absolute(mechanism: &Mechanism) -> usize {
     match mechanism.space {
+        // There are none.
+        _ if mechanism.joints.iter().any(Joint::must_carry) => usize::MAX,
         Space::Planar => structural_operations(&equations::derive(
             mechanism,
             SpanningTree::absolute(mechanism),

@@ -10,6 +10,7 @@ use crate::model::{
 };
 use crate::symbolic::{Compare, Node, On, Scalar, Sheet, Unary};
 use std::cell::RefCell;
+use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 /// What expressions may refer to.
@@ -23,6 +24,8 @@ pub struct Laws<'a> {
     kinematics: &'a Kinematics,
     totals: &'a Totals,
     known: Option<&'a Known>,
+    /// What the parameter of a curve is.
+    along: Option<&'a Moving<'a>>,
 }
 
 /// Values of coordinates that have been found: for expressions that name the same ones over and over.
@@ -47,10 +50,18 @@ pub struct Totals {
 
 static NO_LAYOUT: Layout =
     Layout { linear: Vec::new(), rotations: Vec::new(), quaternions: Vec::new(), angles: Vec::new() };
-static NO_PLANE: plane::Kinematics =
-    plane::Kinematics { frames: Vec::new(), velocities: Vec::new(), bodies: Vec::new() };
-static NO_KINEMATICS: Kinematics =
-    Kinematics::Plane(plane::Kinematics { frames: Vec::new(), velocities: Vec::new(), bodies: Vec::new() });
+static NO_PLANE: plane::Kinematics = plane::Kinematics {
+    frames: Vec::new(),
+    velocities: Vec::new(),
+    bodies: Vec::new(),
+    travels: BTreeMap::new(),
+};
+static NO_KINEMATICS: Kinematics = Kinematics::Plane(plane::Kinematics {
+    frames: Vec::new(),
+    velocities: Vec::new(),
+    bodies: Vec::new(),
+    travels: BTreeMap::new(),
+});
 static NO_TOTALS: Totals = Totals {
     kinetic: None,
     potential: None,
@@ -65,7 +76,7 @@ impl<'a> Laws<'a> {
     /// For expressions of parameters and time.
     pub fn constant(g: Sheet<'a>, mechanism: &'a Mechanism, symbols: &'a Symbols) -> Self {
         let (layout, kinematics, totals) = (&NO_LAYOUT, &NO_KINEMATICS, &NO_TOTALS);
-        Laws { g, mechanism, symbols, layout, kinematics, totals, known: None }
+        Laws { g, mechanism, symbols, layout, kinematics, totals, known: None, along: None }
     }
 
     /// For expressions of the motion.
@@ -76,12 +87,12 @@ impl<'a> Laws<'a> {
         layout: &'a Layout,
         kinematics: &'a Kinematics,
     ) -> Self {
-        Laws { g, mechanism, symbols, layout, kinematics, totals: &NO_TOTALS, known: None }
+        Laws { g, mechanism, symbols, layout, kinematics, totals: &NO_TOTALS, known: None, along: None }
     }
 
     /// A jet in the velocities of the motion.
     pub fn moving_by(&self, jet: Jet) -> Moving<'a> {
-        self.g.zero().moving(self.kinematics.velocities(), jet)
+        self.g.zero().moving(self.velocities(), jet)
     }
 
     /// Of other kinematics with the same meaning.
@@ -98,6 +109,19 @@ impl<'a> Laws<'a> {
         'a: 'b,
     {
         Laws { known: Some(known), ..*self }
+    }
+
+    /// For the functions of a curve: the parameter in them is this.
+    pub fn along<'b>(&self, parameter: &'b Moving<'b>) -> Laws<'b>
+    where
+        'a: 'b,
+    {
+        Laws { known: None, along: Some(parameter), ..*self }
+    }
+
+    /// v.
+    fn velocities(&self) -> &'a [Node] {
+        self.along.map_or_else(|| self.kinematics.velocities(), |parameter| parameter.velocities)
     }
 
     /// For outputs, which may also name energies, powers and drivers' efforts.
@@ -196,7 +220,7 @@ impl<'a> Laws<'a> {
 
     /// What does not move.
     pub fn still(&self, value: Scalar<'a>) -> Moving<'a> {
-        value.moving(self.kinematics.velocities(), Jet::constant(value))
+        value.moving(self.velocities(), Jet::constant(value))
     }
 
     pub fn jet(&self, expr: &Expr) -> Moving<'a> {
@@ -209,7 +233,7 @@ impl<'a> Laws<'a> {
             | Expr::Gate(..) => self.still(self.value(expr)),
             Expr::Time => {
                 let time = self.g.on(self.symbols.time);
-                time.moving(self.kinematics.velocities(), Jet::time(time))
+                time.moving(self.velocities(), Jet::time(time))
             }
             Expr::Quantity(Quantity::Coordinate(coordinate)) => self.coordinate(coordinate),
             // Nothing whose derivative is needed depends on these.
@@ -301,6 +325,9 @@ impl<'a> Laws<'a> {
     }
 
     pub fn coordinate(&self, coordinate: &Coordinate) -> Moving<'a> {
+        if let Some(parameter) = self.along {
+            return parameter.clone();
+        }
         match coordinate {
             Coordinate::Angle(rotor) => self.angle(*rotor),
             Coordinate::Travel(joint, which) => self.kinematics().travel(self, *joint, *which),
@@ -400,7 +427,6 @@ impl<'a> Laws<'a> {
             }
             // f·n, f on the second place.
             ReactionPart::Pressing => {
-                let joint = &self.mechanism.joints[joint.0];
                 let [x, y] = plane::joints::out_of_curve(self, joint).parts();
                 x * force[0] + y * force[1]
             }

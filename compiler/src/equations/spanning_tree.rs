@@ -29,7 +29,8 @@ impl SpanningTree {
     }
 
     /// Breadth first from the ground, so that paths are short; of the joints that reach a body at the same depth,
-    /// the one that leaves the fewest freedoms, then the one declared first. `options { cut = … }` is obeyed.
+    /// the one that leaves the fewest freedoms, then the one declared first. `options { cut = … }` is obeyed. What has to carry a body
+    /// does so as soon as one of its ends is reached, so that no other joint is there first.
     pub fn spanning(mechanism: &Mechanism) -> Self {
         if mechanism.space == Space::Spatial {
             return space::fewest_freedoms(mechanism);
@@ -47,24 +48,23 @@ impl SpanningTree {
                 at.entry(joint.second.frame).or_default().push(id);
             }
         }
-        let mut attachments = Vec::new();
-        let mut reached = vec![false; mechanism.bodies.len()];
+        let reached = vec![false; mechanism.bodies.len()];
+        let mut growth = Growth { mechanism, at: &at, reached, attachments: Vec::new(), next: Vec::new() };
+        growth.carry(Frame::Ground);
         let mut frontier = vec![Frame::Ground];
+        frontier.append(&mut growth.next);
         loop {
-            let (next, found) = next_layer(mechanism, &at, &frontier, &reached);
-            for attachment in found {
-                reached[attachment.body.0] = true;
-                attachments.push(attachment);
+            for attachment in next_layer(mechanism, &at, &frontier, &growth.reached) {
+                growth.reach(attachment);
             }
-            frontier = next;
+            frontier = std::mem::take(&mut growth.next);
             if frontier.is_empty() {
                 // What the ground does not reach: its first body is free, the rest hangs on it.
-                match reached.iter().position(|reached| !reached) {
-                    None => return SpanningTree { attachments },
+                match growth.reached.iter().position(|reached| !reached) {
+                    None => return SpanningTree { attachments: growth.attachments },
                     Some(free) => {
-                        reached[free] = true;
-                        attachments.push(Attachment { body: BodyId(free), joint: None });
-                        frontier = vec![Frame::Body(BodyId(free))];
+                        growth.reach(Attachment { body: BodyId(free), joint: None });
+                        frontier = std::mem::take(&mut growth.next);
                     }
                 }
             }
@@ -106,12 +106,49 @@ impl SpanningTree {
     }
 }
 
+/// A tree that grows.
+struct Growth<'a> {
+    mechanism: &'a Mechanism,
+    at: &'a BTreeMap<Frame, Vec<JointId>>,
+    reached: Vec<bool>,
+    attachments: Vec<Attachment>,
+    /// What was reached since the last layer.
+    next: Vec<Frame>,
+}
+
+impl Growth<'_> {
+    /// A body, if it is not reached, and what it has to carry.
+    fn reach(&mut self, attachment: Attachment) {
+        let Attachment { body, .. } = attachment;
+        if std::mem::replace(&mut self.reached[body.0], true) {
+            return;
+        }
+        self.attachments.push(attachment);
+        self.next.push(Frame::Body(body));
+        if self.mechanism.bodies[body.0].form.turns {
+            self.carry(Frame::Body(body));
+        }
+    }
+
+    fn carry(&mut self, frame: Frame) {
+        for id in self.at.get(&frame).into_iter().flatten() {
+            let joint = &self.mechanism.joints[id.0];
+            if let Frame::Body(body) = joint.other(frame)
+                && joint.must_carry()
+            {
+                self.reach(Attachment { body, joint: Some((*id, frame)) });
+            }
+        }
+    }
+}
+
+/// The bodies that joints reach from others.
 fn next_layer(
     mechanism: &Mechanism,
     at: &BTreeMap<Frame, Vec<JointId>>,
     frontier: &[Frame],
     reached: &[bool],
-) -> (Vec<Frame>, Vec<Attachment>) {
+) -> Vec<Attachment> {
     let mut best: BTreeMap<BodyId, (usize, JointId, Frame)> = BTreeMap::new();
     for frame in frontier {
         // A particle has no orientation: nothing that needs one can hang on it.
@@ -122,17 +159,16 @@ fn next_layer(
         }
         for id in at.get(frame).into_iter().flatten() {
             let joint = &mechanism.joints[id.0];
-            let other = if joint.first.frame == *frame { joint.second.frame } else { joint.first.frame };
-            let Frame::Body(child) = other else { continue };
+            let Frame::Body(child) = joint.other(*frame) else { continue };
             let key = (joint.form.freedoms, *id, *frame);
             if !reached[child.0] && best.get(&child).is_none_or(|known| key < *known) {
                 best.insert(child, key);
             }
         }
     }
-    let attachments = best
-        .iter()
-        .map(|(body, (_, joint, parent))| Attachment { body: *body, joint: Some((*joint, *parent)) })
-        .collect();
-    (best.keys().map(|body| Frame::Body(*body)).collect(), attachments)
+    let attachment = |(body, (_, joint, parent)): (&BodyId, &(usize, JointId, Frame))| Attachment {
+        body: *body,
+        joint: Some((*joint, *parent)),
+    };
+    best.iter().map(attachment).collect()
 }

@@ -45,7 +45,7 @@ impl JointForm {
     pub fn effort(&self) -> Option<&'static str> {
         match self.spans {
             Spans::Rod => Some("tension"),
-            Spans::Outline => Some("force"),
+            Spans::Outline | Spans::Curve => Some("force"),
             Spans::Nothing | Spans::Rail | Spans::Line => None,
         }
     }
@@ -107,6 +107,8 @@ pub enum Spans {
     Line,
     /// A closed curve about the first, on which the second rolls.
     Outline,
+    /// A curve about the first, on which the second is.
+    Curve,
 }
 
 /// Whose the directions of a joint are.

@@ -151,6 +151,8 @@ pub enum Value {
     Backbone,
     /// The name of a table that repeats itself after a turn: a length by an angle.
     Outline,
+    /// Of parameters and the parameter of its own joint's curve, which it is itself where it is not written.
+    OfParameter(Dimension),
     /// A number of parameters whose dimension follows from that of a contact's gap.
     OfGap,
     /// One of several words, or the name of a material.
@@ -218,6 +220,7 @@ impl Argument {
             | Value::Moving(dimension)
             | Value::Varying(dimension)
             | Value::Law(dimension)
+            | Value::OfParameter(dimension)
             | Value::Diagonal(dimension) => Some(dimension),
         }
     }

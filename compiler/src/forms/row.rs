@@ -99,3 +99,6 @@ pub static DISTANCE: RowForm =
 
 /// A place stays out of a curve by the radius of its roller.
 pub static CURVE: RowForm = RowForm::length("out", None, "shifts along the normal of the curve");
+
+/// A place is on a curve: how far it is beside it, along the axis that is not the parameter.
+pub static ON_CURVE: RowForm = RowForm::length("beside", None, "shifts along the normal of the curve");

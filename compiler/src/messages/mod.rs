@@ -4,6 +4,7 @@
 mod beams;
 mod composition;
 mod contacts;
+mod curves;
 mod files;
 mod flex;
 mod friction;
@@ -23,6 +24,7 @@ mod writing;
 pub(crate) use beams::*;
 pub(crate) use composition::*;
 pub(crate) use contacts::*;
+pub(crate) use curves::*;
 pub(crate) use files::*;
 pub(crate) use flex::*;
 pub(crate) use friction::*;

@@ -20,6 +20,11 @@ pub(crate) fn load_instead_of_penalty(joint: &str, form: &JointForm) -> Option<S
             "a {kind} that yields is a contact: write `surface`s, a `profile` and a `circle`, and `contact {joint}: between(…, …) = kelvin_voigt(stiffness [N/m] = …, damping [N*s/m] = …);` in place of the joint"
         ));
     }
+    if form.spans == Spans::Curve {
+        return Some(format!(
+            "`{joint}` holds its place on a curve, and a curve that yields is not there yet: leave `= penalty(…)` out"
+        ));
+    }
     form.winds().then(|| {
         format!(
             "`{joint}` is a {kind}, whose travel follows an angle counted over its turns, and a penalty counts none: write `cylindrical(…) = penalty(…)` and \

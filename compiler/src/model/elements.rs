@@ -50,6 +50,11 @@ impl Joint {
         &self.scalars[which]
     }
 
+    /// What it joins to one of its ends.
+    pub fn other(&self, frame: Frame) -> Frame {
+        if self.first.frame == frame { self.second.frame } else { self.first.frame }
+    }
+
     /// The axis that is the same in the axes of both places.
     pub fn common_axis(&self) -> Option<&Vector> {
         self.directions.first().filter(|_| self.form.axes == JointAxes::Common)
@@ -58,6 +63,23 @@ impl Joint {
     /// The length of the rod between its places, if it is one: its first argument.
     pub fn rod(&self) -> Option<&Expr> {
         (self.form.spans == Spans::Rod).then(|| self.scalar(0))
+    }
+
+    /// Of a joint on a curve, along which of its axes the parameter is measured, if along one of them.
+    pub fn graph(&self) -> Option<usize> {
+        let is_parameter = |value: &Expr| matches!(value, Expr::Quantity(_));
+        let on_curve = self.form.spans == Spans::Curve;
+        self.scalars.iter().position(is_parameter).filter(|_| on_curve)
+    }
+
+    /// Whether it has no rows without a coordinate of its own, so that it has to carry a body.
+    pub fn must_carry(&self) -> bool {
+        self.form.spans == Spans::Curve && self.graph().is_none()
+    }
+
+    /// The functions of the parameter that make a curve, if it is a joint on one.
+    pub fn functions(&self) -> Option<[&Expr; 2]> {
+        (self.form.spans == Spans::Curve).then(|| [self.scalar(0), self.scalar(1)])
     }
 
     /// Whether one of its places is a body without orientation: the joint then has no angle.

@@ -146,6 +146,29 @@ pub enum Function2 {
     Atan2,
 }
 
+impl Function1 {
+    /// Its name, where its slope or its value jumps.
+    pub fn with_corner(self) -> Option<&'static str> {
+        match self {
+            Function1::Abs => Some("abs"),
+            Function1::Sign => Some("sign"),
+            Function1::Floor => Some("wrap"),
+            _ => None,
+        }
+    }
+}
+
+impl Function2 {
+    /// Its name, where its slope jumps.
+    pub fn with_corner(self) -> Option<&'static str> {
+        match self {
+            Function2::Min => Some("min"),
+            Function2::Max => Some("max"),
+            _ => None,
+        }
+    }
+}
+
 /// A kinematic or dynamic quantity of the mechanism.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Quantity {

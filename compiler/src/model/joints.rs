@@ -4,7 +4,7 @@ use super::fold;
 use super::lower::{Lowering, Use, name};
 use super::names::Part;
 use super::unused::Scope;
-use super::{Axes, BodyId, Expr, Frame, Joint, Place, Space, Vector};
+use super::{Axes, BodyId, Coordinate, Expr, Frame, Joint, JointId, Place, Quantity, Space, Vector};
 use crate::forms::{Argument, Given, Need, OfParticle, Value, degrees_between};
 use crate::messages;
 use crate::syntax::{self, FirstTerm, LineTerm, Path};
@@ -65,6 +65,7 @@ impl<'d> Lowering<'d> {
                 Value::Outline => {
                     curve = Some(self.outline(argument.name, joint.named.entry(argument.name)?, PASSES)?)
                 }
+                Value::OfParameter(dimension) => scalars.push(self.of_parameter(joint, argument, dimension)?),
                 // Joints resist no way.
                 Value::Varying(_)
                 | Value::RateOf { .. }
@@ -88,6 +89,7 @@ impl<'d> Lowering<'d> {
         let lowered = Joint { name, form, first, second, directions, scalars, curve, penalty, loose, eased };
         self.refused(joint, &lowered)?;
         self.rolls(joint, &lowered)?;
+        self.runs(joint, &lowered)?;
         self.two_bodies(joint, &lowered.first, &lowered.second)?;
         self.joint_of_beam(joint, &lowered)?;
         if let Some(place) = [&lowered.first, &lowered.second].into_iter().find(|it| self.bends(it.frame))
@@ -129,6 +131,48 @@ impl<'d> Lowering<'d> {
             Some(entry) => self.entry(entry, dimension, usage, argument.name),
             None => Some(Expr::Number(0.0)),
         }
+    }
+
+    /// A function of the parameter of a joint's own curve, or that itself.
+    fn of_parameter(
+        &mut self,
+        joint: &'d syntax::Joint,
+        argument: &Argument,
+        dimension: Dimension,
+    ) -> Option<Expr> {
+        let index = self.definition.joints.iter().position(|other| std::ptr::eq(other, joint))?;
+        let parameter = Quantity::Coordinate(Coordinate::Travel(JointId(index), 0));
+        let Some(entry) = joint.named.entry(argument.name) else { return Some(Expr::Quantity(parameter)) };
+        let value = self.entry(entry, dimension, Use::CURVE, argument.name)?;
+        let (mut foreign, mut corner) = (false, None);
+        value.visit(&mut |part| match part {
+            Expr::Quantity(quantity) => foreign |= *quantity != parameter,
+            Expr::Rate(_) => foreign = true,
+            Expr::Unary(function, _) => corner = corner.or(function.with_corner()),
+            Expr::Binary(function, ..) => corner = corner.or(function.with_corner()),
+            _ => {}
+        });
+        let (name, region) = (&joint.name.text, entry.value.region);
+        if foreign {
+            self.diagnostics.error(region, messages::curve_of_others(name, argument.name));
+            return None;
+        }
+        if let Some(corner) = corner {
+            self.diagnostics.error(region, messages::curve_with_corner(name, argument.name, corner));
+            return None;
+        }
+        Some(value)
+    }
+
+    /// A curve changes with its parameter.
+    fn runs(&mut self, joint: &'d syntax::Joint, lowered: &Joint) -> Option<()> {
+        let Some(functions) = lowered.functions() else { return Some(()) };
+        if functions.iter().any(|function| function.moves()) {
+            return Some(());
+        }
+        let region = joint.named.entry("y").map_or(joint.name.region, |entry| entry.value.region);
+        self.diagnostics.error(region, messages::curve_is_a_point(&joint.name.text));
+        None
     }
 
     /// What the form refuses of the arguments, at the defaults of parameters.

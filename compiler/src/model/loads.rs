@@ -209,7 +209,7 @@ impl<'d> Lowering<'d> {
             // It says what the load is, and is no value: read elsewhere.
             Value::Word => Some(Vec::new()),
             // Of laws of contacts, which are read elsewhere, and of joints.
-            Value::OfGap | Value::Outline => None,
+            Value::OfGap | Value::Outline | Value::OfParameter(_) => None,
             Value::TeethStiffness => self.teeth_stiffness(load, argument.name),
             Value::TeethDamping => self.teeth_damping(load, argument.name),
         }

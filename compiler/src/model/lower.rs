@@ -193,6 +193,7 @@ impl Use {
     pub const LENGTH: Self = Self { what: "the length of a distance joint", ..Self::GROUND };
     pub const LAW: Self = Self { what: "the law of a driver", ..Self::GROUND };
     pub const EQUATION: Self = Self { what: "a constraint", positions: true, ..Self::GROUND };
+    pub const CURVE: Self = Self { what: "a curve", time: false, ..Self::EQUATION };
     pub const LOAD: Self = Self {
         what: "the law of a load",
         inputs: true,

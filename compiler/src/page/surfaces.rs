@@ -4,7 +4,8 @@
 use super::stand::Stand;
 use crate::drawing::shapes::across;
 use crate::drawing::vector::{Point, along, cross, difference, dot, length, sum, unit};
-use crate::model::{Expr, Frame, Joint, Place, Shape, Space, Surface, Vector};
+use crate::equations::plane;
+use crate::model::{Coordinate, Expr, Frame, JointId, Place, Shape, Space, Surface, Vector};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Corners of a whole circle.
@@ -69,13 +70,18 @@ impl Stand<'_> {
             Skin { name: text.clone(), on: shape.place().frame, lines }
         };
         let mut skins: Vec<Skin> = compiled.mechanism.surfaces.iter().map(skin).collect();
-        skins.extend(compiled.mechanism.joints.iter().flat_map(|joint| self.rolling(joint, bounds)));
+        skins.extend((0..compiled.mechanism.joints.len()).flat_map(|joint| self.rolling(joint, bounds)));
         skins.retain(|skin| !skin.lines.is_empty());
         skins
     }
 
     /// The curve of a joint and what rolls on it.
-    fn rolling(&mut self, joint: &Joint, bounds: &Bounds) -> Vec<Skin> {
+    fn rolling(&mut self, index: usize, bounds: &Bounds) -> Vec<Skin> {
+        let joint = &self.compiled.mechanism.joints[index];
+        if joint.functions().is_some() {
+            let (name, on) = (joint.name.text.clone(), joint.first.frame);
+            return vec![Skin { name, on, lines: self.curve(JointId(index), bounds) }];
+        }
         let (Some(curve), [base, radius]) = (&joint.curve, &joint.scalars[..]) else { return Vec::new() };
         let (curve, base) = (curve.clone(), base.clone());
         let shapes = [
@@ -87,6 +93,41 @@ impl Stand<'_> {
             Skin { name, on, lines: self.lines(shape, bounds) }
         };
         shapes.iter().map(skin).collect()
+    }
+
+    /// Of a joint on a curve, as far as the rest of the picture reaches or until it is closed, from where its point is.
+    fn curve(&mut self, joint: JointId, bounds: &Bounds) -> Vec<Vec<Point>> {
+        let place = &self.compiled.mechanism.joints[joint.0].first;
+        let (at, here) = (self.place(place), self.parameter(joint));
+        let reach = bounds.reach(at, &[UP, [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
+        let step = reach / f64::from(CORNERS);
+        let ways = [-1.0, 1.0].map(|way| {
+            let parameters: Vec<f64> = (0..=2 * CORNERS).map(|k| here + way * f64::from(k) * step).collect();
+            let points = self
+                .on_curve(joint, &parameters)
+                .into_iter()
+                .map(|[x, y]| sum(at, self.direction(place, &[x, y, 0.0].map(Expr::Number))));
+            let points: Vec<Point> = points.take_while(|point| point.iter().all(|x| x.is_finite())).collect();
+            let home = points[..1].to_vec();
+            let inside = points.into_iter().take_while(|point| length(difference(*point, at)) <= 1.5 * reach);
+            home.into_iter().chain(inside.skip(1)).collect::<Vec<Point>>()
+        });
+        let [back, on] = ways;
+        vec![back.into_iter().rev().chain(on.into_iter().skip(1)).collect()]
+    }
+
+    /// The parameter of a joint on a curve.
+    fn parameter(&mut self, joint: JointId) -> f64 {
+        self.built(|laws| vec![laws.coordinate(&Coordinate::Travel(joint, 0)).jet.value])[0]
+    }
+
+    /// Points of a curve, in the axes of its body.
+    fn on_curve(&mut self, joint: JointId, parameters: &[f64]) -> Vec<[f64; 2]> {
+        let numbers = self.built(|laws| {
+            let point = |u: &f64| plane::joints::point_of_curve(laws, joint, *u);
+            parameters.iter().flat_map(point).collect()
+        });
+        numbers.chunks_exact(2).map(|pair| [pair[0], pair[1]]).collect()
     }
 
     fn size(&mut self, expr: &Expr) -> f64 {

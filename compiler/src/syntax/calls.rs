@@ -470,6 +470,7 @@ impl Parser<'_> {
             | Value::Exponent
             | Value::Backbone
             | Value::Outline
+            | Value::OfParameter(_)
             | Value::OfGap
             | Value::Word
             | Value::TeethStiffness

@@ -422,7 +422,7 @@ impl Writer {
         for Argument { name, value, .. } in joint.form.call.named {
             match value {
                 Value::Direction => self.tuple_if(name, joint.named.tuple(name), Some("1")),
-                Value::Scalar(_) | Value::Moving(_) | Value::Outline => {
+                Value::Scalar(_) | Value::Moving(_) | Value::Outline | Value::OfParameter(_) => {
                     self.entry_if(name, joint.named.entry(name))
                 }
                 Value::Diagonal(_) => self.diagonal_if(name, &joint.named),
@@ -531,6 +531,7 @@ impl Writer {
                 | Value::Exponent
                 | Value::Backbone
                 | Value::Outline
+                | Value::OfParameter(_)
                 | Value::OfGap
                 | Value::Word
                 | Value::TeethDamping => self.entry_if(name, load.named.entry(name)),

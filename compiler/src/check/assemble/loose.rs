@@ -65,6 +65,10 @@ const ON_AXIS: f64 = 1e-6;
 
 /// The bodies that move alone at `q`, drivers removed.
 pub fn find(mechanism: &Mechanism, equations: &Equations, q: &[f64], phases: &[f64]) -> Vec<Loose> {
+    if mechanism.joints.iter().any(Joint::must_carry) {
+        // Absolute coordinates lack its rows.
+        return Vec::new();
+    }
     let is_absolute = equations.tree.attachments.iter().all(|attachment| attachment.joint.is_none());
     if is_absolute {
         return Free::new(mechanism, equations, q, phases).loose();

@@ -1,5 +1,6 @@
 //! Angles and travels in the plane: of bodies, and of joints as the difference of two bodies.
 
+use super::joints;
 use super::kinematics::{FrameId, GROUND, Kinematics, LocalVector, Position};
 use super::vector::{self, Pair};
 use crate::equations::jet::{Jet, Moving};
@@ -151,10 +152,14 @@ impl<'g> On<'g, &'g Kinematics> {
 
     /// Travel of a joint: â·(p₂ − p₁), â along its axis, or along one of the first place's axes where it has none.
     pub fn travel(self, laws: &Laws<'g>, joint: JointId, which: usize) -> Moving<'g> {
+        let known = self.bare.travels.get(&joint);
         let joint = &laws.mechanism.joints[joint.0];
+        if let Some(known) = known {
+            return joints::travel_of_curve(laws, self, joint, *known);
+        }
         let axis = match joint.directions.get(which) {
             Some(axis) => laws.pair_of(axis).normalized(),
-            None => vector::axis(self.g, which),
+            None => vector::axis(self.g, joint.graph().unwrap_or(which)),
         };
         let (frame, along) = self.carried_by(joint.first.frame, axis);
         let (first, second) = (self.place(laws, &joint.first), self.place(laws, &joint.second));

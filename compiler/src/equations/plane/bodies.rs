@@ -6,7 +6,7 @@
 use super::flexible::{Flexible, ModalMotion, inertia_beyond_origin};
 use super::inertia::Massive;
 use super::joints::{self, Wrench};
-use super::kinematics::{GROUND, Kinematics, LocalVector, Placement, Position, TurningFrame};
+use super::kinematics::{GROUND, Kinematics, LocalVector, Placement, Position, Travelled, TurningFrame};
 use super::vector::{self, Pair};
 use crate::equations::laws::Laws;
 use crate::equations::loads::penalty;
@@ -67,8 +67,14 @@ pub fn motions<'g>(laws: &Laws<'g>, bodies: &[Massive<'g>]) -> Vec<Motion<'g>> {
 pub fn overlay<'g>(laws: &Laws<'g>, motions: &[Motion<'g>]) -> Kinematics {
     let g = laws.g;
     let offset = vector::unturned(g).bare;
-    let mut overlay =
-        Kinematics { frames: vec![TurningFrame::still(g)], velocities: Vec::new(), bodies: Vec::new() };
+    let travels = laws.plane().bare.travels.iter();
+    let travels = travels.map(|(joint, travel)| (*joint, Travelled { index: None, ..*travel })).collect();
+    let mut overlay = Kinematics {
+        frames: vec![TurningFrame::still(g)],
+        velocities: Vec::new(),
+        bodies: Vec::new(),
+        travels,
+    };
     for (index, (motion, body)) in motions.iter().zip(&laws.mechanism.bodies).enumerate() {
         overlay.velocities.extend(motion.velocity.bare);
         overlay.velocities.push(motion.rate.bare);

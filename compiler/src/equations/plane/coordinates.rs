@@ -4,7 +4,9 @@
 
 use super::flexible::{Flexible, Modal, ModalMotion, slope_weights};
 use super::joints;
-use super::kinematics::{FrameId, GROUND, Kinematics, LocalVector, Placement, Position, TurningFrame};
+use super::kinematics::{
+    FrameId, GROUND, Kinematics, LocalVector, Placement, Position, Travelled, TurningFrame,
+};
 use super::vector;
 use crate::equations::coordinates::{Layout, Linear, MultiTurn, Rotation, Symbols, symbols};
 use crate::equations::laws::Laws;
@@ -109,6 +111,7 @@ pub fn coordinates(
         frames: vec![TurningFrame::still(g)],
         velocities: symbols.v.clone(),
         bodies: Vec::new(),
+        travels: BTreeMap::new(),
     };
     for r in 0..layout.rotations.len() {
         let (cos, sin) = (symbols.q[layout.pair(r)], symbols.q[layout.pair(r) + 1]);
@@ -132,6 +135,10 @@ pub fn coordinates(
         placements[body.0] = Some(placement);
     }
     kinematics.bodies = placements.into_iter().flatten().collect();
+    for (joint, index) in travels.iter().filter(|(joint, _)| mechanism.joints[joint.0].must_carry()) {
+        let (value, rate, index) = (symbols.q[*index], symbols.v[*index], Some(*index));
+        kinematics.travels.insert(*joint, Travelled { value, rate, index });
+    }
     (layout, symbols, kinematics)
 }
 

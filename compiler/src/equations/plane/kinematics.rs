@@ -7,6 +7,7 @@
 use super::flexible::Flexible;
 use super::vector::{self, Pair};
 use crate::equations::jet::{Jet, Moving};
+use crate::model::JointId;
 use crate::symbolic::{Bare, Node, On, Sheet};
 use std::borrow::Borrow;
 use std::collections::BTreeMap;
@@ -173,6 +174,17 @@ pub struct Kinematics {
     pub velocities: Vec<Node>,
     /// One per body.
     pub bodies: Vec<Placement>,
+    /// Of the joints whose travel does not follow from their places.
+    pub travels: BTreeMap<JointId, Travelled>,
+}
+
+/// A travel that is a coordinate.
+#[derive(Clone, Copy, Debug)]
+pub struct Travelled {
+    pub value: Node,
+    pub rate: Node,
+    /// Of its rate among the velocities, if it is one of these.
+    pub index: Option<usize>,
 }
 
 impl<'g> On<'g, &'g Kinematics> {

@@ -129,7 +129,9 @@ pub fn extent(sketch: &Sketch) -> Vec<Point> {
         Spans::Line => vec![hinge.first, hinge.second, sum(hinge.first, hinge.axis)],
         // A rail of the ground is drawn as far as it is used.
         Spans::Rail if hinge.form.is_block() && hinge.first_on == Frame::Ground => vec![hinge.second],
-        Spans::Nothing | Spans::Rod | Spans::Rail | Spans::Outline => vec![hinge.first, hinge.second],
+        Spans::Nothing | Spans::Rod | Spans::Rail | Spans::Outline | Spans::Curve => {
+            vec![hinge.first, hinge.second]
+        }
     });
     let of_wheels = sketch.wheels.iter().flat_map(|wheel| {
         let [u, v] = shapes::across(wheel.about);

@@ -8,7 +8,6 @@
 use super::{Ends, JointRow, Pair, PlanarJoint, vector};
 use crate::drawing::canvas::Pen;
 use crate::drawing::plane::Symbol;
-use crate::equations::jet::Moving;
 use crate::equations::laws::Laws;
 use crate::equations::look_up;
 use crate::forms::row::CURVE;
@@ -51,7 +50,7 @@ pub static JOINT: PlanarJoint = PlanarJoint {
 
 pub fn rows(laws: &Laws, ends: &Ends) -> Vec<JointRow> {
     let Some(look_up) = curve(ends.joint, [0, 0]) else { return Vec::new() };
-    let [x, y] = in_first(laws, ends);
+    let [x, y] = ends.in_first(laws);
     let [base, radius] = [0, 1].map(|which| laws.jet(ends.joint.scalar(which)));
     let distance = look_up::jet(&look_up, &[x, y, base], &[]);
     distance.map(|distance| JointRow::new(&CURVE, distance - radius)).into_iter().collect()
@@ -60,7 +59,7 @@ pub fn rows(laws: &Laws, ends: &Ends) -> Vec<JointRow> {
 /// n, in world axes.
 pub fn out_of_curve<'g>(laws: &Laws<'g>, joint: &'g Joint) -> On<'g, Pair> {
     let ends = Ends::of(laws, joint);
-    let [x, y] = in_first(laws, &ends).map(|way| way.value());
+    let [x, y] = ends.in_first(laws).map(|way| way.value());
     let base = laws.value(joint.scalar(0));
     let along = |orders| {
         let look_up = curve(joint, orders);
@@ -75,14 +74,6 @@ pub fn out_of_curve<'g>(laws: &Laws<'g>, joint: &'g Joint) -> On<'g, Pair> {
 fn curve(joint: &Joint, [x, y]: [u8; 2]) -> Option<LookUp> {
     let curve = joint.curve.clone()?;
     Some(LookUp { curve, orders: Orders::new(x, y), smoothness: 2, arguments: Vec::new() })
-}
-
-/// Δ along the axes of the first body.
-fn in_first<'g>(laws: &Laws<'g>, ends: &Ends<'g>) -> [Moving<'g>; 2] {
-    [0, 1].map(|axis| {
-        let (frame, axis) = laws.plane().carried_by(ends.first, vector::axis(laws.g, axis));
-        laws.plane().project(frame, axis, &ends.delta.bare)
-    })
 }
 
 /// The pin of the roller; its rim and the curve are drawn as surfaces are.

@@ -9,6 +9,7 @@ mod cord;
 mod distance;
 mod fixed;
 mod parallel;
+mod point_on_curve;
 mod point_on_line;
 mod prismatic;
 mod revolute;
@@ -22,10 +23,12 @@ use crate::equations::JointRow;
 use crate::equations::Kinematics;
 use crate::equations::jet::Moving;
 use crate::equations::laws::Laws;
-use crate::forms::{JointForm, RowForm};
+use crate::forms::{JointForm, RowForm, Spans};
 use crate::model::{BodyId, Expr, Frame, Joint, JointId};
 use crate::symbolic::{Node, On, Scalar};
-pub use cam::out_of_curve;
+pub use point_on_curve::{
+    point as point_of_curve, tangent_and_parameter as tangent_of_curve, travel as travel_of_curve,
+};
 
 /// What a joint exerts on the second place's body: force (world axes) at the second place, and torque about it.
 pub type Wrench<'g> = [Scalar<'g>; 3];
@@ -50,6 +53,7 @@ pub static JOINTS: &[&PlanarJoint] = &[
     &distance::JOINT,
     &cord::JOINT,
     &cam::JOINT,
+    &point_on_curve::JOINT,
 ];
 
 /// The joint with a form, which is one of the list's own.
@@ -61,6 +65,15 @@ pub fn of(form: &'static JointForm) -> &'static PlanarJoint {
 /// Constraint rows of a joint that carries nothing.
 pub fn rows<'g>(laws: &Laws<'g>, joint: &'g Joint) -> Vec<JointRow> {
     (of(joint.form).rows)(laws, &Ends::of(laws, joint))
+}
+
+/// Along what a joint on a curve presses its places apart, in world axes.
+pub fn out_of_curve<'g>(laws: &Laws<'g>, id: JointId) -> On<'g, Pair> {
+    let joint = &laws.mechanism.joints[id.0];
+    match joint.form.spans {
+        Spans::Curve => point_on_curve::normal(laws, id),
+        _ => cam::out_of_curve(laws, joint),
+    }
 }
 
 /// The kinematics with three velocities more, of value zero, by which [`reaction`] moves a place alone.
@@ -181,6 +194,14 @@ impl<'g> Ends<'g> {
         let (one, zero) = (laws.g.one().bare, laws.g.zero().bare);
         [[one, zero], [zero, one]].map(|axis| {
             let (frame, axis) = laws.plane().carried_by(self.first, laws.g.on(axis));
+            laws.plane().project(frame, axis, &self.delta.bare)
+        })
+    }
+
+    /// Δ along the axes of the first body.
+    fn in_first(&self, laws: &Laws<'g>) -> [Moving<'g>; 2] {
+        [0, 1].map(|axis| {
+            let (frame, axis) = laws.plane().carried_by(self.first, vector::axis(laws.g, axis));
             laws.plane().project(frame, axis, &self.delta.bare)
         })
     }

@@ -1,0 +1,38 @@
+//! Joints on curves: those that are no graphs carry a body, and stand where their curve has a direction.
+
+use super::assemble::{Ancestry, Assembly, Point};
+use super::messages;
+use crate::diagnostics::Diagnostics;
+use crate::equations::{Equations, Laws, SpanningTree, plane};
+use crate::model::{JointId, Mechanism};
+
+/// Of |c′|, which is about 1: what is taken for zero.
+const STANDS: f64 = 1e-6;
+
+/// A curve that is no graph is where a body hangs, as its parameter is a coordinate.
+pub fn curves(mechanism: &Mechanism, tree: &SpanningTree) -> Result<(), Diagnostics> {
+    let mut errors = Diagnostics::new();
+    let carrying = tree.carrying(mechanism);
+    for (joint, _) in
+        mechanism.joints.iter().zip(carrying).filter(|(joint, carries)| joint.must_carry() && !carries)
+    {
+        errors.error(joint.name.span, messages::curve_closes_a_loop(&joint.name.text));
+    }
+    errors.finish(())
+}
+
+/// At the start no curve that is no graph stands still with its parameter.
+pub fn standing(mechanism: &Mechanism, equations: &Equations, assembly: &Assembly, errors: &mut Diagnostics) {
+    let (g, symbols) = (equations.graph.sheet(), &equations.symbols);
+    let laws = Laws::moving(g, mechanism, symbols, &equations.layout, &equations.kinematics);
+    for (index, joint) in mechanism.joints.iter().enumerate().filter(|(_, joint)| joint.must_carry()) {
+        let (tangent, parameter) = plane::joints::tangent_of_curve(&laws, JointId(index));
+        let mut point = Point::at_start(mechanism, equations, assembly);
+        point.evaluate(&Ancestry::of(equations, tangent.into_iter().chain([parameter])));
+        let [x, y] = tangent.map(|node| point.get(node));
+        // A NaN is none, too.
+        if !(x.abs().max(y.abs()) > STANDS) {
+            errors.error(joint.name.span, messages::curve_stands(&joint.name.text, point.get(parameter)));
+        }
+    }
+}
