@@ -314,7 +314,7 @@ fn joints_exert_nothing_along_their_freedom<M: Model>() {
         for (joint, [force, torque]) in compiled.mechanism.joints.iter().zip(reactions) {
             let wrench = [force[0], force[1], torque[0]];
             let free: &[usize] = match joint.word() {
-                "revolute" | "point_on_line" | "distance" | "cord" | "cam" => &[2],
+                "revolute" | "point_on_line" | "point_on_curve" | "distance" | "cord" | "cam" => &[2],
                 "parallel" => &[0, 1],
                 // The force along the axis of a slide is left to the reference.
                 "fixed" | "prismatic" => &[],

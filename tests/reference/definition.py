@@ -61,6 +61,14 @@ class Joint:
     angle: ca.SX | None
     length: ca.SX | None
     outline: tuple | None = None  # of a cam: table, base, radius of the roller
+    curve: tuple | None = None  # of a point on a curve: x and y as entries, the parameter itself where there is none
+
+    @property
+    def graph(self):
+        """Along which axis the parameter is measured."""
+        own = f"{self.name}.parameter"
+        pure = [entry is None or entry["value"].get("name") == own for entry in self.curve]
+        return pure.index(True)
 
 
 class Model:
@@ -209,7 +217,8 @@ class Model:
         if kind == "cam":
             base, radius = (entry(joint[key], self) if joint.get(key) else ca.SX(0) for key in ("base", "radius"))
             outline = self.tables[joint["lift"]["value"]["name"]], base, radius
-        return Joint(name, kind, first, self.place(joint["second"]), axis, angle, length, outline)
+        curve = (joint.get("x"), joint.get("y")) if kind == "point_on_curve" else None
+        return Joint(name, kind, first, self.place(joint["second"]), axis, angle, length, outline, curve)
 
 
 def rotors_in_use(model):

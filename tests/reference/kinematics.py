@@ -128,9 +128,24 @@ class Kinematics:
     def travel(self, joint, which="travel"):
         """Of the second place along the axis, which turns with the first's body: (A1 â)·(p2 − p1); â is x or y of the
         first's axes where there are several travels."""
+        if joint.kind == "point_on_curve":
+            return self.parameter(joint)
         along = {"travel": joint.axis, "travel_1": (1, 0), "travel_2": (0, 1)}[which]
         axis = self.pose(joint.first.body).turn(along)
         return ca.dot(axis, self.position(joint.second) - self.position(joint.first))
+
+    def parameter(self, joint):
+        """Of a joint on a curve that is a graph: how far the second place is along that axis of the first's body."""
+        return self.way(joint)[joint.graph]
+
+    def way(self, joint):
+        """p2 − p1 along the axes of the first's body."""
+        return self.pose(joint.first.body).unturn(self.position(joint.second) - self.position(joint.first))
+
+    def on_curve(self, joint):
+        """The curve's point at the parameter, in the axes of the first's body."""
+        own = f"{joint.name}.parameter"
+        return ca.vertcat(*[self.name(own) if given is None else entry(given, self) for given in joint.curve])
 
     # The scope of laws, equations and loads.
 
@@ -190,6 +205,9 @@ class Kinematics:
             return self.multi_turn(owner)
         if quantity == "rate":
             return self.rotor_rate(owner)
+        if quantity in ("parameter", "parameter_rate"):
+            parameter = self.parameter(joint)
+            return parameter if quantity == "parameter" else self.rate(parameter)
         kind, _, number = quantity.partition("_")
         which = f"travel_{number}" if number else "travel"
         if kind == "travel":
@@ -271,6 +289,9 @@ class Kinematics:
             rows.append(Row(joint.name, "angle", value))
         if joint.kind in ("distance", "cord"):
             rows.append(Row(joint.name, "distance", (ca.dot(p2 - p1, p2 - p1) - joint.length**2) / 2))
+        if joint.kind == "point_on_curve":
+            beside = self.way(joint) - self.on_curve(joint)
+            rows.append(Row(joint.name, "beside", beside[1] if joint.graph == 0 else -beside[0]))
         if joint.kind == "cam":
             table, base, radius = joint.outline
             way = pose1.unturn(p2 - p1)

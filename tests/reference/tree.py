@@ -5,6 +5,7 @@ derives the rest. Every tree joint places its body on its parent by solving its 
     revolute, fixed:           p2 = p1
     prismatic, point_on_line:  p2 = p1 + travel · A1 â   (whichever of the two bodies is the parent)
     parallel:                  p2 = p1 + A1 (travel_1, travel_2)
+    point_on_curve:            p2 = p1 + A1 c(parameter)
     prismatic, fixed, parallel: θ2 = θ1 + angle, so such bodies share one rotation.
 """
 
@@ -148,7 +149,13 @@ class Tree(Kinematics):
             return self._coordinate("travel", joint.name) * first.turn(joint.axis)
         if joint.kind == "parallel":
             return first.turn([self._coordinate(which, joint.name) for which in ("travel_1", "travel_2")])
+        if joint.kind == "point_on_curve":
+            return first.turn(self.on_curve(joint))
         raise ValueError(f"{self.model.title}: a joint of kind `{joint.kind}` cannot stand in the tree")
+
+    def parameter(self, joint):
+        carries = ("parameter", joint.name) in self.layout.linear
+        return self._coordinate("parameter", joint.name) if carries else super().parameter(joint)
 
     def _orientation(self, name):
         """(c, s, ω): its own rotation, or that of the body it is fixed to, turned by the angles between."""

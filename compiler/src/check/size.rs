@@ -43,7 +43,9 @@ pub fn size(mechanism: &Mechanism, tree: &Equations, asked: Coordinates, errors:
     // Open trees in space are solved by articulated bodies, in proportion to their number.
     let open = mechanism.space == Space::Spatial && tree.rows.is_empty();
     let of_tree = if open { 0 } else { structural_operations(tree) };
-    if of_tree <= MOST_OPERATIONS && asked != Coordinates::Absolute {
+    // Absolute coordinates that do not have the parameter of a curve are refused where coordinates are chosen.
+    let only_tree = mechanism.joints.iter().any(Joint::must_carry);
+    if of_tree <= MOST_OPERATIONS && (asked != Coordinates::Absolute || only_tree) {
         return;
     }
     let of_absolute = in_absolute(mechanism);
@@ -76,7 +78,6 @@ pub fn size(mechanism: &Mechanism, tree: &Equations, asked: Coordinates, errors:
 /// itself.
 fn in_absolute(mechanism: &Mechanism) -> usize {
     match mechanism.space {
-        // There are none.
         _ if mechanism.joints.iter().any(Joint::must_carry) => usize::MAX,
         Space::Planar => structural_operations(&equations::derive(
             mechanism,

@@ -109,7 +109,7 @@ fn foreign_statement(random: &mut Random, tokens: &mut Vec<String>, other: &[Str
 
 /// A statement that fits the names of the definition: `J` is a joint, `B` a body, `P` a place, `Q` a quantity, `L` a
 /// load, `X` a value, `#` a number.
-const TEMPLATES: [&str; 53] = [
+const TEMPLATES: [&str; 56] = [
     "joint new : revolute ( P , P ) ;",
     "joint new : revolute ( P , P ) = penalty ( stiffness = X , damping = X ) ;",
     "joint new : fixed ( P , P ) = penalty ( stiffness = X , torsional_stiffness = X , damping_along = line , smallest = X ) ;",
@@ -122,6 +122,9 @@ const TEMPLATES: [&str; 53] = [
     "joint new : distance ( P , P , length = X ) ;",
     "table outline ( angle [ deg ] ) [ mm ] = [ ( 0 , 0 ) , ( 90 , # ) , ( 180 , 1 ) , ( 360 , 0 ) ] , periodic ;",
     "joint new : cam ( P , P , lift = outline , base [ m ] = # , radius = X ) ;",
+    "joint new : point_on_curve ( P , P , y [ m ] = # * new . parameter ) ;",
+    "joint new : point_on_curve ( P , P , x [ m ] = X + cos ( new . parameter / # [ m ] ) * 1 [ m ] , y [ m ] = new . parameter ) ;",
+    "joint new : point_on_curve ( P , P , x [ m ] = # * sin ( Q ) , y [ m ] = # * cos ( new . parameter / # [ m ] ) ) ;",
     "expect { J . force > # ; J . reaction . size [ N ] < X ; }",
     "joint new : point_on_line ( line ( P , P ) , P ) ;",
     "joint new : point_on_plane ( P , P , axis = ( # , # , # ) ) ;",
@@ -259,8 +262,8 @@ fn swap_names(random: &mut Random, tokens: &mut Vec<String>, _: &[String]) {
 const CLASSES: [&str; 13] = [
     "body rod disk box sphere cylinder particle beam flexible",
     "revolute prismatic fixed distance spherical universal cylindrical planar screw constant_velocity point_on_line \
-     point_on_plane cam",
-    "angle rate travel speed x y z velocity origin center start end angle_1 rate_1 angle_2 travel_2",
+     point_on_plane cam point_on_curve",
+    "angle rate travel speed parameter parameter_rate x y z velocity origin center start end angle_1 rate_1 angle_2 travel_2",
     "sin cos tan asin acos exp ln sqrt abs sign",
     "planar spatial",
     "gear rack belt screw bevel worm differential",

@@ -82,6 +82,7 @@ impl<'t> Reader<'t> {
         if !known {
             return Err(match kind {
                 "cam" => DefinitionError::not_there_yet(own, "joints on cams"),
+                "point_on_curve" => DefinitionError::not_there_yet(own, "joints on curves"),
                 _ => DefinitionError::kind(own, kind),
             });
         }

@@ -11,6 +11,7 @@ mod cables;
 mod cams;
 mod closed_forms;
 mod contacts;
+mod curves;
 mod four_bars;
 mod friction;
 mod gears;

@@ -15,6 +15,7 @@ pub mod zoo_bristles;
 pub mod zoo_cables;
 pub mod zoo_cams;
 pub mod zoo_contacts;
+pub mod zoo_curves;
 pub mod zoo_friction;
 pub mod zoo_gates;
 pub mod zoo_gears;

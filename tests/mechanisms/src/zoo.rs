@@ -236,6 +236,7 @@ macro_rules! for_each_in_zoo {
             loose_loop: $crate::zoo_loose::LooseLoop,
             loose_ball: $crate::zoo_loose::LooseBall,
             cammed: $crate::zoo_cams::Cammed,
+            wired: $crate::zoo_curves::Wired,
             touching: $crate::zoo_contacts::Touching,
             bumping: $crate::zoo_contacts::Bumping,
             profiled: $crate::zoo_profiles::Profiled,
