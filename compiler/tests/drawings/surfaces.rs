@@ -146,3 +146,24 @@ fn surfaces_in_space_are_where_they_touch() {
     all_at(&of("drum").1, 0.3, |at| (at[0] * at[0] + (at[1] - 8.0) * (at[1] - 8.0)).sqrt());
     all_at(&of("drum").1, 0.5, |at| at[2].abs());
 }
+
+#[test]
+fn a_curve_of_a_joint_is_drawn_where_its_point_is() {
+    let wires = compiled(
+        "planar Wires {
+            body plate { mass [kg] = 1; inertia [kg*m^2] = 1; point corner [m] = (0.3, 0.1); }
+            particle bead { mass [kg] = 1; } particle ring { mass [kg] = 1; }
+            joint pin: revolute(ground(2, 1) [m], plate.center);
+            joint wire: point_on_curve(plate.corner, bead.center, y = 2 [1/m]*wire.parameter*wire.parameter);
+            joint oval: point_on_curve(ground(1, 0) [m], ring.center, x = 0.5 [m]*cos(oval.parameter/0.5 [m]), y = 0.3 [m]*sin(oval.parameter/0.5 [m]));
+            start { pin.angle [deg] = 40; wire.parameter [m] = 0.2; oval.parameter [m] = 0.4; }
+        }",
+    );
+    let (on, wire) = lines(&wires, "wire", None).expect("it is drawn");
+    assert_eq!((on, wire.len()), (Some(0), 1));
+    all_at(&wire, 0.0, |at| at[1] - 0.1 - 2.0 * (at[0] - 0.3) * (at[0] - 0.3));
+    assert!(wire[0].len() > 20, "{}", wire[0].len());
+    let (on, oval) = lines(&wires, "oval", None).expect("it is drawn");
+    assert_eq!(on, None);
+    all_at(&oval, 1.0, |at| ((at[0] - 1.0) / 0.5).hypot(at[1] / 0.3));
+}

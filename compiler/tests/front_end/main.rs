@@ -5,6 +5,7 @@ mod builder;
 mod cams;
 mod contacts;
 mod coverage;
+mod curves;
 mod definitions;
 mod files;
 mod flexible;

@@ -112,6 +112,8 @@ fn named(argument: &Argument, space: Space) -> String {
             _,
         ) => "…".to_string(),
         (Value::Outline, _) => "table".to_string(),
+        (Value::OfParameter(_), Need::Never) => "parameter".to_string(),
+        (Value::OfParameter(_), _) => "…".to_string(),
         (Value::TeethStiffness | Value::TeethDamping, _) => "…".to_string(),
     };
     format!("{} = {value}", argument.name)
