@@ -29,7 +29,7 @@ fn all(source: &str) -> String {
 fn a_curve_is_made_of_its_own_parameter() {
     for (arguments, expected) in [
         ("y = 3)", "expected m"),
-        ("x = wire.parameter)", "`y`"),
+        ("x = wire.parameter)", "`point_on_curve` needs its y: write `y = …`"),
         (
             "y = abs(wire.parameter))",
             "`y` of `wire` has a corner by `abs`, where its point would have no velocity: write a smooth function, or a `table` by a spline",
@@ -63,17 +63,19 @@ fn a_curve_is_made_of_its_own_parameter() {
 fn a_curve_that_is_no_graph_carries_a_body() {
     assert_eq!(all(&wire("y = rail(wire.parameter))")), "");
     assert_eq!(all(&wire("x = k*wire.parameter*wire.parameter, y = wire.parameter)")), "");
-    let cycloid = "x = wire.parameter + 0.2 [m]*sin(wire.parameter/0.2 [m]), y = -0.2 [m]*cos(wire.parameter/0.2 [m]))";
+    let cycloid =
+        "x = wire.parameter + 0.2 [m]*sin(wire.parameter/0.2 [m]), y = -0.2 [m]*cos(wire.parameter/0.2 [m]))";
     assert_eq!(all(&wire(cycloid)), "");
-    let absolute = format!("{cycloid}; options {{ coordinates = absolute; }}").replace(";;", ";");
-    let stands = wire(cycloid).replace("wire.parameter [m] = 0.1", "wire.parameter [m] = 0.62831853071795864769");
+    let absolute = wire(cycloid).replace("start {", "options { coordinates = absolute; } start {");
+    let stands =
+        wire(cycloid).replace("wire.parameter [m] = 0.1", "wire.parameter [m] = 0.62831853071795864769");
     let cut = wire(cycloid).replace("start {", "options { cut = (wire); } start {");
     let both = wire(cycloid).replace(
         "start {",
         "joint other: point_on_curve(arm.start, bead.center, x = other.parameter + 1 [1/m]*other.parameter*other.parameter, y = other.parameter*0.5); start {",
     );
     for (source, expected) in [
-        (wire(&absolute), "which absolute coordinates do not have; write `coordinates = tree`"),
+        (absolute, "which absolute coordinates do not have; write `coordinates = tree`"),
         (stands, "the curve of \"wire\" stands still where its parameter is"),
         (cut, "\"wire\" closes a loop, and its curve is no graph"),
         (both, "closes a loop, and its curve is no graph"),
@@ -85,7 +87,8 @@ fn a_curve_that_is_no_graph_carries_a_body() {
 
 #[test]
 fn a_table_that_ends_is_asked_within() {
-    let source = wire("y = rail(wire.parameter))").replace("wire.parameter [m] = 0.1", "wire.parameter [m] = 1.4");
+    let source =
+        wire("y = rail(wire.parameter))").replace("wire.parameter [m] = 0.1", "wire.parameter [m] = 1.4");
     let compiled = compile(source.parse().expect("tokens"), None).expect("it compiles");
     let found: Vec<&str> = compiled.warnings.iter().map(|warning| warning.message.as_str()).collect();
     assert!(found.iter().any(|message| message.contains("rail") && message.contains("1.4")), "{found:?}");
