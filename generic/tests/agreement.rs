@@ -19,7 +19,6 @@ const REFUSED: &[(&str, &str)] = &[
     ("block", MODAL),
     ("cam_lift_off", RIGID),
     ("cammed", "joints on cams"),
-    ("wired", "joints on curves"),
     ("cantilever", MODAL),
     ("dropping", RIGID),
     ("floated", "a mesh on axes that move"),

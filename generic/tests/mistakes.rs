@@ -65,6 +65,17 @@ fn errors_name_the_part() {
 }
 
 #[test]
+fn a_curve_that_is_no_graph_is_not_there_yet() {
+    let error = changed(|tree| {
+        let still = json!({"unit": "m", "value": {"number": "1"}});
+        let joint = &mut tree["joints"][0];
+        joint["kind"] = json!("point_on_curve");
+        (joint["x"], joint["y"]) = (still.clone(), still);
+    });
+    assert!(matches!(&error, DefinitionError::NotThereYet { part, .. } if part == "crank_pin"), "{error}");
+}
+
+#[test]
 fn names_that_stand_for_themselves_are_refused() {
     let error = changed(|tree| {
         tree["signals"] = json!([{"name": "loop", "unit": "1", "value": {"name": "loop"}}]);

@@ -4,6 +4,7 @@
 use super::laws::May;
 use super::{Read, Reader};
 use crate::error::DefinitionError;
+use crate::expression::{Expression, Operator};
 use crate::json::{field, list, name, optional, text};
 use crate::kinematics::{Place, Section};
 use crate::quantity::{Quantity, Universal};
@@ -26,7 +27,8 @@ pub(crate) struct Joint {
     counted: Vec<usize>,
 }
 
-const PLANE: [&str; 7] = ["fixed", "revolute", "prismatic", "parallel", "point_on_line", "distance", "cord"];
+const PLANE: [&str; 8] =
+    ["fixed", "revolute", "prismatic", "parallel", "point_on_line", "point_on_curve", "distance", "cord"];
 const SPACE: [&str; 14] = [
     "fixed",
     "revolute",
@@ -72,6 +74,9 @@ impl<'t> Reader<'t> {
             }
             self.joint_by_name.insert(own, self.joints.len());
             self.joints.push(joint);
+            if let Some(equation) = self.curve_row(node, own)? {
+                rows.push(Row { of: own.to_string(), what: "beside", equation });
+            }
         }
         Ok(rows)
     }
@@ -82,12 +87,12 @@ impl<'t> Reader<'t> {
         if !known {
             return Err(match kind {
                 "cam" => DefinitionError::not_there_yet(own, "joints on cams"),
-                "point_on_curve" => DefinitionError::not_there_yet(own, "joints on curves"),
                 _ => DefinitionError::kind(own, kind),
             });
         }
         let mut axis = match optional(node, "axis") {
             Some(axis) => self.tuple(axis, "value", own)?,
+            None if kind == "point_on_curve" => unit_axis(graph(node, own)?),
             None => unit_axis(2),
         };
         let first = if kind == "point_on_line" {
@@ -161,6 +166,7 @@ impl<'t> Reader<'t> {
         let kind = self.joint_by_name.get(name).map(|joint| self.joints[*joint].kind.as_str());
         let what = match kind {
             Some("prismatic" | "point_on_line") => "travel",
+            Some("point_on_curve") => "parameter",
             Some(_) => "angle",
             None if self.body_by_name.contains_key(name) => "angle",
             None => return None,
@@ -256,6 +262,21 @@ impl<'t> Reader<'t> {
         Ok(rows)
     }
 
+    /// Δᵧ − y(Δₓ), or x(Δᵧ) − Δₓ, of the last joint, whose parameter has a meaning by now.
+    fn curve_row(&self, node: &Value, own: &str) -> Read<Option<Equation>> {
+        let Some(joint) = self.joints.last().filter(|joint| joint.kind == "point_on_curve") else {
+            return Ok(None);
+        };
+        let axis = graph(node, own)?;
+        let law = self.reading(own, May::Positions, |law| {
+            let left = law.leaf(joint.along_quantity(1));
+            let curve = law.entry(field(node, ["y", "x"][axis], own)?)?;
+            // The axis across that of y is −x.
+            Ok(Expression::binary([Operator::Minus, Operator::Plus][axis], left, curve))
+        })?;
+        Ok(Some(Equation::Law(law)))
+    }
+
     /// (Δ·Δ − L²)/2.
     fn distance_row(&self, joint: &Joint, node: &Value, own: &str) -> Read<Equation> {
         let length = self.entry_law(field(node, "length", own)?, own, May::Time)?;
@@ -300,11 +321,13 @@ impl Joint {
         let (first, second) = (section(&self.first), section(&self.second));
         if !spatial {
             return match (which, kind) {
-                ("angle", "revolute" | "point_on_line") => {
+                ("angle", "revolute" | "point_on_line" | "point_on_curve") => {
                     let [first, second] = [section(&self.first), section(&self.second)];
                     Some(Quantity::PlaneAngle { first, second })
                 }
                 ("travel", "prismatic" | "point_on_line") => Some(self.along_quantity(0)),
+                // For loads along it, too.
+                ("parameter" | "travel", "point_on_curve") => Some(self.along_quantity(0)),
                 ("travel_1", "parallel") => Some(self.along_quantity(0)),
                 ("travel_2", "parallel") => Some(self.along_quantity(1)),
                 _ => None,
@@ -339,6 +362,17 @@ impl Joint {
             _ => None,
         }
     }
+}
+
+/// Along which axis the parameter of a curve is measured.
+fn graph(node: &Value, own: &str) -> Read<usize> {
+    let parameter = format!("{own}.parameter");
+    let is_parameter = |axis: &&str| {
+        let written = optional(node, axis).and_then(|entry| entry.get("value"));
+        written.is_none_or(|value| value.get("name").and_then(Value::as_str) == Some(&parameter))
+    };
+    let found = ["x", "y"].iter().position(|axis| is_parameter(&axis));
+    found.ok_or_else(|| DefinitionError::not_there_yet(own, "joints on curves that are no graphs"))
 }
 
 /// What turns at a place.

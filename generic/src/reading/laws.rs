@@ -295,6 +295,7 @@ impl LawReader<'_, '_> {
             let (position, is_rate) = match what.split_once('_').map_or((what, None), |(a, b)| (a, Some(b))) {
                 ("rate", number) => (with_number("angle", number), true),
                 ("speed", number) => (with_number("travel", number), true),
+                ("parameter", Some("rate")) => ("parameter".to_string(), true),
                 _ => (what.to_string(), false),
             };
             if let Some(quantity) = reader.of_joint(*joint, &position) {

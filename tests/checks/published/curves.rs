@@ -1,7 +1,7 @@
 //! Points on curves against closed forms: Huygens' pendulum, a bead on a parabola, an ellipse that two sliders draw, a slot in a loop.
 
 use super::Worst;
-use linkwright::{Assemble, Mechanism, Report, Simulation, State};
+use linkwright::{Mechanism, Simulation, State};
 use std::f64::consts::TAU;
 
 const G: f64 = 9.81;
