@@ -141,6 +141,24 @@ impl<D: 'static> Mechanism<f64> for Engine<D> {
             self.call(Function::Grips, &[], &mut [holding.as_mut_slice(), sliding.as_mut_slice()]);
         }
     }
+    fn sticks(&self) -> bool {
+        self.shared.tables.sticks
+    }
+    fn bounds(
+        &self,
+        time: f64,
+        state: &StateOf<Self>,
+        u: &Numbers,
+        a: &List,
+        lambda: &List,
+        holding: &mut List,
+        sliding: &mut List,
+    ) {
+        if self.has(Function::Bounds) {
+            let out = &mut [holding.as_mut_slice(), sliding.as_mut_slice()];
+            self.with_solution(Function::Bounds, time, state, u, a, lambda, out);
+        }
+    }
     fn strikes(
         &self,
         time: f64,

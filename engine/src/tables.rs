@@ -29,6 +29,7 @@ pub struct Tables {
     /// Whether contacts are rigid.
     pub rigid: bool,
     /// Of each gate that of the gap which presses, where it is dry friction.
+    pub sticks: bool,
     pub pressed_by: Vec<Option<usize>>,
     /// Whether they part by Poisson's law.
     pub by_impulses: bool,
@@ -117,6 +118,7 @@ impl Tables {
                 .collect(),
             start_gates: compiled.start_gates(),
             rigid: mechanism.is_rigid(),
+            sticks: mechanism.sticks(),
             pressed_by: mechanism.pressed_by(),
             by_impulses: mechanism.options.by_impulses,
             internal: names_of(states.iter().map(|state| &state.name).collect()),

@@ -232,8 +232,8 @@ pub trait Mechanism<R: Real>: Variables<R> {
     fn guards(&self, time: R, state: &StateOf<Self, R>, gaps: &mut Self::Gates, forces: &mut Self::Gates) {
         let _ = (time, state, gaps, forces);
     }
-    /// Whether the contacts are rigid: their gates are then forces, N or N·m, zero where they are open, and the forces of
-    /// [`guards`](Mechanism::guards) are none.
+    /// Whether gates are forces, which the run finds: of rigid contacts, N or N·m, zero where they are open, or of dry friction in joints.
+    /// The forces of [`guards`](Mechanism::guards) are none then.
     #[inline(always)]
     fn is_rigid(&self) -> bool {
         false
@@ -252,6 +252,26 @@ pub trait Mechanism<R: Real>: Variables<R> {
     #[inline(always)]
     fn grips(&self, holding: &mut Self::Gates, sliding: &mut Self::Gates) {
         let _ = (holding, sliding);
+    }
+    /// Whether the gates are the forces of dry friction in joints, N or N·m: all are, or none.
+    #[inline(always)]
+    fn sticks(&self) -> bool {
+        false
+    }
+    /// Of the dry friction of each joint the most that it holds with, and what it slides with, N or N·m, of these v̇ and λ.
+    #[inline(always)]
+    #[allow(clippy::too_many_arguments)]
+    fn bounds(
+        &self,
+        time: R,
+        state: &StateOf<Self, R>,
+        u: &Self::Inputs,
+        a: &Self::V,
+        lambda: &Self::Lambda,
+        holding: &mut Self::Gates,
+        sliding: &mut Self::Gates,
+    ) {
+        let _ = (time, state, u, a, lambda, holding, sliding);
     }
     /// Of each rigid contact the rate ġ of its gap (m/s or rad/s), what of g̈ is there at v̇ = 0 (m/s² or rad/s²), and the share of
     /// the speed of approach with which it parts; of each dry friction the speed of its sliding (m/s), what of its derivative is there, and 0.

@@ -432,7 +432,7 @@ fn methods_that_iterate_on_residuals_are_refused() {
             let simulation = simulation.constant(model.no_inputs()).integrator($method);
             let error = simulation.step(1e-3).advance().expect_err("it has no place for what presses");
             assert_eq!(error, SimulationError::RigidByResidual { contact: "stop" });
-            assert!(error.to_string().contains("`stop` is rigid, and this integrator iterates on residuals"), "{error}");
+            assert!(error.to_string().contains("`stop` is rigid or sticks, and this integrator iterates on residuals"), "{error}");
             assert_eq!(error.joint(), Some("stop"));
         )* };
     }

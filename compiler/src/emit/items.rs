@@ -30,6 +30,7 @@ pub fn items(text: &mut String, emitter: &Emitter, source: &str) {
     let held = match (mechanism.options.held, mechanism.memories.is_empty()) {
         (true, false) => "gates of contacts, events and memories",
         (false, false) => "events and memories",
+        _ if mechanism.sticks() => "forces of dry friction",
         _ => "gates of contacts",
     };
     let (states, internal) = match (mechanism.states.len(), gates) {

@@ -56,6 +56,9 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
         if mechanism.is_rigid() {
             tables::method(text, "is_rigid", "bool", "true");
         }
+        if mechanism.sticks() {
+            tables::method(text, "sticks", "bool", "true");
+        }
         let pressed = mechanism.pressed_by();
         if !pressed.is_empty() {
             let entries = array(pressed.iter().map(|gate| format!("{gate:?}")));

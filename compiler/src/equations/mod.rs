@@ -173,8 +173,10 @@ pub struct Equations {
     /// Of each gap of a rigid contact, its rate, its second time derivative at v̇ = 0, and the restitution; of dry friction the sliding and its
     /// derivative.
     pub strikes: Vec<[Node; 3]>,
-    /// μ_s and μ_k of each gate, where any is of dry friction.
+    /// μ_s and μ_k of each gate, where any is of dry friction of a contact.
     pub grips: Vec<[Node; 2]>,
+    /// What each dry friction of a joint holds and slides with, of v̇ and λ.
+    pub bounds: Vec<[Node; 2]>,
     /// ż of the internal states, likewise, and their values at the start.
     pub internal_rates: Vec<Node>,
     pub internal_starts: Vec<Node>,
@@ -288,6 +290,7 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
     let assignments = memories::assignments(&outputs_laws);
     let guards = loads::guards(&laws).into_iter().chain(memories::guards(&laws)).collect();
     let (strikes, grips) = (loads::strikes(&laws), loads::grips(&laws));
+    let bounds = loads::bounds(&outputs_laws);
     let states = mechanism.states.iter();
     let internal_rates = states.clone().map(|state| rate(&outputs_laws, &state.rate).bare).collect();
     let internal_starts = states.map(|state| outputs_laws.value(&state.start).bare).collect();
@@ -338,6 +341,7 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
         assignments,
         strikes,
         grips,
+        bounds,
         internal_rates,
         internal_starts,
         conditions,
@@ -390,7 +394,7 @@ fn idle(rows: &[Row], omitted: &Omitted, keeps: bool) -> BTreeSet<usize> {
 impl Equations {
     /// With N in v̇ and λ wherever results stand, and without it in Q: what rubs by N is `friction.forces`.
     fn without_normals(mut self) -> Self {
-        if self.friction.is_none() {
+        if self.friction.presses_nowhere() {
             return self;
         }
         let (results, none) = (self.friction.in_results(), self.friction.without(self.graph.sheet()));
@@ -407,6 +411,7 @@ impl Equations {
             replace(&mut self.expected, &results);
             replace(&mut self.assignments, &results);
             replace(&mut self.internal_rates, &results);
+            self.bounds.iter_mut().for_each(|bounds| replace(bounds, &results));
             replace(&mut self.driver_efforts, &results);
             replace(&mut self.driver_powers, &results);
             self.reactions.iter_mut().for_each(|wrench| replace(wrench, &results));

@@ -55,6 +55,10 @@ pub fn refused(compiled: &Compiled) -> Option<Diagnostics> {
         found.error(memory.name.span, messages::memories_in_c(&memory.name.text));
         return Some(found);
     }
+    if let Some(dry) = mechanism.loads.iter().find(|load| load.sticks()) {
+        found.error(dry.name.span, messages::dry_in_c(&dry.name.text));
+        return Some(found);
+    }
     match (mechanism.loads.iter().find(|load| load.restitution.is_some()), mechanism.options.held_at) {
         (Some(rigid), _) => found.error(rigid.name.span, messages::rigid_in_c(&rigid.name.text)),
         (None, at) => found.error(at?, messages::held_in_c()),

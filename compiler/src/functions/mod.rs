@@ -47,6 +47,7 @@ pub enum Function {
     Assignments,
     Strikes,
     Grips,
+    Bounds,
     InverseDynamics,
     Powers,
     DriverEfforts,

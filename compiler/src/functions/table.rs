@@ -23,7 +23,7 @@ const MOVING: &[Argument] = &[Constants, Time, Q, V, Acceleration];
 const EVERYTHING: &[Argument] = &[Constants, Time, State, Inputs, Acceleration, Lambda];
 
 /// Every function.
-pub static FUNCTIONS: [Signature; 51] = [
+pub static FUNCTIONS: [Signature; 52] = [
     signature(
         Function::MassMatrix,
         "mass_matrix",
@@ -221,6 +221,18 @@ pub static FUNCTIONS: [Signature; 51] = [
         ],
     )
     .only(|c| !c.equations.grips.is_empty()),
+    signature(
+        Function::Bounds,
+        "bounds",
+        Mechanism,
+        "Of each dry friction of a joint the most that it holds with, and what it slides with (N or N m).",
+        EVERYTHING,
+        &[
+            written("holding", Shape::Gates, |c| bounds(c, 0)).called("holding_{}"),
+            written("sliding", Shape::Gates, |c| bounds(c, 1)).called("sliding_{}"),
+        ],
+    )
+    .only(|c| !c.equations.bounds.is_empty()),
     signature(
         Function::InverseDynamics,
         "inverse_dynamics",
@@ -563,6 +575,10 @@ fn guards(complete: &Complete, which: usize) -> Vec<Node> {
 
 fn grips(complete: &Complete, which: usize) -> Vec<Node> {
     complete.equations.grips.iter().map(|shares| shares[which]).collect()
+}
+
+fn bounds(complete: &Complete, which: usize) -> Vec<Node> {
+    complete.equations.bounds.iter().map(|bounds| bounds[which]).collect()
 }
 
 fn strikes(complete: &Complete, which: usize) -> Vec<Node> {

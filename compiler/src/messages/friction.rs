@@ -7,10 +7,64 @@ pub(crate) fn friction_without_joint() -> String {
         .to_string()
 }
 
-pub(crate) fn dry_in_joint(joint: &str) -> String {
+pub(crate) fn dry_along_several(joint: &str, kind: &str) -> String {
     format!(
-        "`dry` friction acts at rigid contacts, and not in joints yet: in `{joint}`, `lugre` and `asperity` hold what rests after a deflection of \
-         static/stiffness or coefficient/stiffness; `coulomb` and `stribeck` creep with a speed of the order of their `speed`"
+        "`dry` friction sticks along one coordinate, and the surfaces of `{joint}`, a {kind} joint, slide along several: write `lugre` or \
+         `asperity`, which hold what rests after a deflection of static/stiffness or coefficient/stiffness"
+    )
+}
+
+pub(crate) fn too_many_stick(most: usize) -> String {
+    format!(
+        "which of the joints with `dry` friction hold is found among all ways in which they may, of {most} joints at most: write `coulomb` or \
+         `lugre` where none has to stick"
+    )
+}
+
+pub(crate) fn dry_beside_held(name: &str) -> String {
+    format!(
+        "held gates of contacts and the `dry` friction `{name}` of a joint cannot be in one mechanism yet: leave `contact = held` out, or write \
+         `lugre` or `asperity` there"
+    )
+}
+
+pub(crate) fn dry_beside_rigid(name: &str, rigid: &str) -> String {
+    format!(
+        "the `dry` friction `{name}` of a joint has no share in the impulses of rigid contacts such as `{rigid}` yet: give `{rigid}` a law of its \
+         depth, such as `hunt_crossley(…)`, or write `lugre` or `asperity` here"
+    )
+}
+
+pub(crate) fn dry_beside_memory(name: &str, memory: &str) -> String {
+    format!(
+        "memories such as `{memory}` and the `dry` friction `{name}` of a joint cannot be in one mechanism yet: leave the memories out, or write \
+         `lugre` or `asperity` there"
+    )
+}
+
+pub(crate) fn dry_here(name: &str) -> String {
+    format!("`{name}` is dry friction of a joint")
+}
+
+pub(crate) fn dry_in_c(name: &str) -> String {
+    format!(
+        "the functions in C take whole steps and do not find when `{name}` begins to stick or to slide within them: write `coulomb`, `lugre` or \
+         `asperity` in place of `dry`"
+    )
+}
+
+pub(crate) fn dry_with_tangent(name: &str) -> String {
+    format!(
+        "derivatives of a motion do not follow the dry friction `{name}` yet, whose forces jump: leave `tangent` out, or write `coulomb`, `lugre` \
+         or `asperity` in place of `dry`"
+    )
+}
+
+pub(crate) fn breakaway_below(most: f64, least: f64, sliding: &str) -> String {
+    format!(
+        "what holds is less than what slides: the breakaway {sliding}, {}, is below the {sliding} of sliding, {}; write the larger as `breakaway`",
+        number(most),
+        number(least)
     )
 }
 
@@ -79,16 +133,17 @@ pub(crate) fn friction_without_radius(name: &str, joint: &str, kind: &str) -> St
     )
 }
 
-pub(crate) fn friction_of_nothing(name: &str, turns: bool) -> String {
+pub(crate) fn friction_of_nothing(name: &str, turns: bool, dry: bool) -> String {
     let own = if turns { "torque [N*m]" } else { "force [N]" };
+    let share = if dry { "static" } else { "coefficient" };
     format!(
-        "the friction `{name}` resists with nothing: write `coefficient = …`, which the reaction of the joint is multiplied by, or `{own} = …`"
+        "the friction `{name}` resists with nothing: write `{share} = …`, which the reaction of the joint is multiplied by, or `{own} = …`"
     )
 }
 
 pub(crate) fn no_use_in_contact(argument: &str, name: &str) -> String {
     let why = match argument {
-        "preload" | "force" | "torque" => {
+        "preload" | "force" | "torque" | "breakaway" => {
             "a contact that is open resists with nothing, and one that is closed by its own force"
         }
         _ => "the force of a contact acts where its surfaces touch",
@@ -96,9 +151,9 @@ pub(crate) fn no_use_in_contact(argument: &str, name: &str) -> String {
     format!("the {argument} has no use in `{name}`: {why}; leave `{argument}` out")
 }
 
-pub(crate) fn contact_rubs_by_nothing(name: &str) -> String {
+pub(crate) fn contact_rubs_by_nothing(name: &str, share: &str) -> String {
     format!(
-        "the friction `{name}` resists with nothing: write `coefficient = …`, which the force of the contact is multiplied by"
+        "the friction `{name}` resists with nothing: write `{share} = …`, which the force of the contact is multiplied by"
     )
 }
 

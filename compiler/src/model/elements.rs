@@ -306,6 +306,11 @@ impl Load {
         })
     }
 
+    /// Whether it is the dry friction of a joint.
+    pub fn sticks(&self) -> bool {
+        self.form.holds && self.bearing().is_some()
+    }
+
     /// A named argument by its name; zero where its form has none of that name.
     pub fn named(&self, name: &str) -> &Expr {
         const NONE: &Expr = &Expr::Number(0.0);

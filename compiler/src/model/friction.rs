@@ -4,10 +4,14 @@ use super::lower::Lowering;
 use super::names::Part;
 use super::quantities::Found;
 use super::{Coordinate, Expr, JointId, Load, LoadId, Quantity, Rotor, Space, Subject};
+use crate::diagnostics::Region;
 use crate::forms::Bearing;
 use crate::messages;
-use crate::syntax::{self, Label, Path, SubjectTerm};
+use crate::syntax::{self, Label, OptionEntry, Path, SubjectTerm};
 use crate::units::Dimension;
+
+/// How many joints may have dry friction: which of them hold is found among all ways in which they may hold and slide.
+const STICKING: usize = 8;
 
 impl<'d> Lowering<'d> {
     /// A joint or contact whose surfaces slide on each other.
@@ -91,6 +95,9 @@ impl<'d> Lowering<'d> {
         };
         let form = self.definition.joints[joint.0].form;
         let Some(bearing) = form.bearing else { return Some(()) };
+        if load.form.holds {
+            slides_as_it_holds(load, values);
+        }
         let (name, joint) = (&load.name.text, &self.definition.joints[joint.0].name.text);
         let arguments = load.form.call.named.iter();
         let value = |name: &str| {
@@ -124,12 +131,14 @@ impl<'d> Lowering<'d> {
         } else {
             refuse("torque", messages::friction_by_force(name, joint));
         }
+        let dry = load.form.holds;
         let presses = ["coefficient", "static", "kinetic"].iter().any(|it| value(it).is_some());
         let takes_radius = bearing.turns() || bearing == Bearing::Sleeve;
         if takes_radius && presses && value("radius").is_none() {
             self.diagnostics.error(load.name.region, messages::friction_without_radius(name, joint, kind));
-        } else if !presses && ["force", "torque"].iter().all(|it| value(it).is_none()) {
-            self.diagnostics.error(load.name.region, messages::friction_of_nothing(name, bearing.turns()));
+        } else if !presses && ["force", "torque", "breakaway"].iter().all(|it| value(it).is_none()) {
+            self.diagnostics
+                .error(load.name.region, messages::friction_of_nothing(name, bearing.turns(), dry));
         }
         let known = |name: &str| match value(name) {
             Some(Expr::Number(value)) => Some(*value),
@@ -141,22 +150,37 @@ impl<'d> Lowering<'d> {
         {
             self.diagnostics.error(label.region, messages::static_below_kinetic(most, least));
         }
+        let sliding = if bearing.turns() { "torque" } else { "force" };
+        if let (Some(most), Some(least)) = (known("breakaway"), known(sliding))
+            && most < least
+            && let Some(label) = load.named.labels().find(|label| label.text == "breakaway")
+        {
+            self.diagnostics.error(label.region, messages::breakaway_below(most, least, sliding));
+        }
         (self.diagnostics.iter().count() == errors).then_some(())
+    }
+}
+
+/// What is not written of dry friction: it slides by the share that it holds by, and holds by the force that it slides with.
+fn slides_as_it_holds(load: &syntax::Load, values: &mut [Vec<Expr>]) {
+    let written = |name: &str| load.named.labels().any(|label| label.text == name);
+    let at = |name: &str| load.form.call.named.iter().position(|argument| argument.name == name);
+    let sliding = if written("torque") { "torque" } else { "force" };
+    for (own, other) in [("kinetic", "static"), ("breakaway", sliding)] {
+        if let (false, Some(own), Some(other)) = (written(own), at(own), at(other)) {
+            values[own] = values[other].clone();
+        }
     }
 }
 
 impl<'d> Lowering<'d> {
     /// A contact presses by its law, and its friction needs nothing but coefficients and a speed.
     fn rubs_in_contact(&mut self, load: &'d syntax::Load, values: &mut [Vec<Expr>]) -> Option<()> {
-        if load.form.holds && load.named.labels().all(|label| label.text != "kinetic") {
-            // What slides is as much as what holds.
-            let at = |name: &str| load.form.call.named.iter().position(|argument| argument.name == name);
-            if let (Some(most), Some(least)) = (at("static"), at("kinetic")) {
-                values[least] = values[most].clone();
-            }
+        if load.form.holds {
+            slides_as_it_holds(load, values);
         }
         let (name, errors) = (&load.name.text, self.diagnostics.iter().count());
-        for argument in ["radius", "length", "shoulder", "preload", "force", "torque"] {
+        for argument in ["radius", "length", "shoulder", "preload", "force", "torque", "breakaway"] {
             if let Some(label) = load.named.labels().find(|label| label.text == argument) {
                 self.diagnostics.error(label.region, messages::no_use_in_contact(argument, name));
             }
@@ -169,7 +193,8 @@ impl<'d> Lowering<'d> {
         if self.diagnostics.iter().count() == errors
             && ["coefficient", "static", "kinetic"].iter().all(|it| given(it).is_none())
         {
-            self.diagnostics.error(load.name.region, messages::contact_rubs_by_nothing(name));
+            let share = if load.form.holds { "static" } else { "coefficient" };
+            self.diagnostics.error(load.name.region, messages::contact_rubs_by_nothing(name, share));
         }
         if let (Some(Expr::Number(most)), Some(Expr::Number(least))) = (given("static"), given("kinetic"))
             && most < least
@@ -182,41 +207,112 @@ impl<'d> Lowering<'d> {
 }
 
 impl<'d> Lowering<'d> {
-    /// Of dry friction a zero for each gate that it has; it acts in rigid contacts of the plane.
+    /// Of dry friction a zero for each gate that it has: of a rigid contact in the plane one for each gap, of a joint one.
     pub(super) fn held_by(&mut self, load: &'d syntax::Load, on: &[Subject]) -> Option<Vec<Expr>> {
         if !load.form.holds {
             return Some(Vec::new());
         }
-        let (name, at) = (&load.name, load.on.first()?.region());
-        let index = match on {
-            [Subject::Touches(contact)] => contact.0 - self.definition.loads.len(),
-            _ => {
-                let joint = match load.on.first()? {
-                    SubjectTerm::Name(label) => label.text.as_str(),
-                    SubjectTerm::Place(_) | SubjectTerm::Expression(_) => "",
-                };
-                self.diagnostics.error(at, messages::dry_in_joint(joint));
-                return None;
+        let at = load.on.first()?.region();
+        match on {
+            [Subject::Touches(contact)] => {
+                self.held_by_contact(load, contact.0 - self.definition.loads.len(), at)
             }
-        };
+            [Subject::Bearing(joint, _)] => self.held_by_joint(load, *joint, at),
+            _ => None,
+        }
+    }
+
+    fn held_by_contact(&mut self, load: &'d syntax::Load, index: usize, at: Region) -> Option<Vec<Expr>> {
         let contact = &self.definition.contacts[index].name.text;
         if !self.is_rigid_contact(index) {
             self.diagnostics.error(at, messages::dry_on_what_yields(contact));
             return None;
         }
         if self.definition.space == Space::Spatial {
-            self.diagnostics.error(name.region, messages::dry_in_space(contact));
+            self.diagnostics.error(load.name.region, messages::dry_in_space(contact));
             return None;
         }
-        let others = self.definition.loads.iter().take_while(|other| !std::ptr::eq(*other, load));
-        let twice = others.filter(|other| other.form.holds).find(
-            |other| matches!(other.on.first(), Some(SubjectTerm::Name(label)) if label.text == *contact),
-        );
-        if let Some(other) = twice {
-            self.diagnostics.error(name.region, messages::dry_twice(contact, &other.name.text));
-            return None;
-        }
+        self.is_dry_alone(load, contact)?;
         self.gaps_of_contact(index).map(|gaps| vec![Expr::Number(0.0); gaps])
+    }
+
+    /// Surfaces that slide along one coordinate, and nothing else that is held within a step.
+    fn held_by_joint(&mut self, load: &'d syntax::Load, joint: JointId, at: Region) -> Option<Vec<Expr>> {
+        let definition = self.definition;
+        let joint = &definition.joints[joint.0];
+        let name = &joint.name.text;
+        if !matches!(joint.form.bearing?, Bearing::Pin | Bearing::Rail | Bearing::Point) {
+            self.diagnostics.error(at, messages::dry_along_several(name, joint.form.call.word));
+            return None;
+        }
+        self.is_dry_alone(load, name)?;
+        let others = definition.loads.iter().take_while(|other| !std::ptr::eq(*other, load));
+        if others.filter(|other| self.sticks(other)).count() == STICKING {
+            self.diagnostics.error(load.name.region, messages::too_many_stick(STICKING));
+            return None;
+        }
+        Some(vec![Expr::Number(0.0)])
+    }
+
+    /// Whether no other holds there.
+    fn is_dry_alone(&mut self, load: &'d syntax::Load, place: &str) -> Option<()> {
+        let others = self.definition.loads.iter().take_while(|other| !std::ptr::eq(*other, load));
+        let twice = others
+            .filter(|other| other.form.holds)
+            .find(|other| matches!(other.on.first(), Some(SubjectTerm::Name(label)) if label.text == place));
+        match twice {
+            Some(other) => {
+                self.diagnostics.error(load.name.region, messages::dry_twice(place, &other.name.text));
+                None
+            }
+            None => Some(()),
+        }
+    }
+
+    /// Whether it is the dry friction of a joint.
+    pub(super) fn sticks(&self, load: &syntax::Load) -> bool {
+        let joint = |on: &SubjectTerm| match on {
+            SubjectTerm::Name(label) => {
+                self.contact_named(&label.text).is_none()
+                    && matches!(self.names.part(&label.text), Some(Part::Joint(_)))
+            }
+            SubjectTerm::Place(_) | SubjectTerm::Expression(_) => false,
+        };
+        load.form.holds && load.on.first().is_some_and(joint)
+    }
+
+    /// What dry friction in joints cannot be together with yet.
+    pub(super) fn beside_sticking(&mut self) {
+        let definition = self.definition;
+        let Some(dry) = definition.loads.iter().find(|load| self.sticks(load)) else { return };
+        let name = &dry.name.text;
+        for entry in &definition.options {
+            match entry {
+                OptionEntry::Contact(word) if word.text == "held" => {
+                    self.diagnostics.error(word.region, messages::dry_beside_held(name));
+                }
+                OptionEntry::ExportC(scalar) => {
+                    self.diagnostics.error(scalar.region, messages::dry_in_c(name));
+                }
+                OptionEntry::Emit(words) => {
+                    for word in words.iter().filter(|word| word.text == "tangent") {
+                        self.diagnostics.error(word.region, messages::dry_with_tangent(name));
+                    }
+                }
+                _ => {}
+            }
+        }
+        let rigid = (0..definition.contacts.len()).find(|index| self.is_rigid_contact(*index));
+        if let Some(rigid) = rigid.map(|index| &definition.contacts[index].name) {
+            let (message, note) =
+                (messages::dry_beside_rigid(name, &rigid.text), messages::rigid_here(&rigid.text));
+            self.diagnostics.conflict(dry.name.region, message, rigid.region, note);
+        }
+        if let Some(memory) = definition.memories.first() {
+            let message = messages::dry_beside_memory(name, &memory.name.text);
+            let note = messages::dry_here(name);
+            self.diagnostics.conflict(memory.name.region, message, dry.name.region, note);
+        }
     }
 }
 
@@ -226,8 +322,7 @@ pub(super) fn number(loads: &mut [Load]) {
     for load in loads.iter_mut().filter(|load| load.form.rubs) {
         let zero = |name: &str| matches!(load.named(name), Expr::Number(0.0));
         let by_contact = load.contact().is_some();
-        if by_contact || load.form.holds || ["coefficient", "static", "kinetic"].iter().all(|name| zero(name))
-        {
+        if by_contact || ["coefficient", "static", "kinetic"].iter().all(|name| zero(name)) {
             continue;
         }
         load.normal = Some(count);

@@ -67,7 +67,7 @@ impl Occasion {
 impl Mechanism {
     /// Whether states hold something between events: gates of contacts or memories.
     pub fn holds(&self) -> bool {
-        self.options.held || !self.memories.is_empty()
+        self.options.held || !self.memories.is_empty() || self.sticks()
     }
 
     /// The events in the order of their places behind the gates of contacts: what passes a level, then what has a period.

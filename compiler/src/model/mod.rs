@@ -184,9 +184,14 @@ impl Mechanism {
         starts.map(|start| start.unwrap_or(f64::NAN)).collect()
     }
 
-    /// Whether contacts are rigid: all are, or none.
+    /// Whether gates are forces, which the run finds: of rigid contacts, or of dry friction in joints.
     pub fn is_rigid(&self) -> bool {
-        self.loads.iter().any(|load| load.restitution.is_some())
+        self.loads.iter().any(|load| load.restitution.is_some()) || self.sticks()
+    }
+
+    /// Whether gates are those of dry friction in joints: all are, or none.
+    pub fn sticks(&self) -> bool {
+        self.loads.iter().any(Load::sticks)
     }
 
     /// The gates that are held over a step: contact and which of its gaps, in the order of their declaration.
@@ -195,9 +200,9 @@ impl Mechanism {
         loads.flat_map(|(load, it)| (0..it.ungated.len()).map(move |which| (LoadId(load), which)))
     }
 
-    /// Of each gate the one of the gap that presses, where it is of dry friction; nothing where none is.
+    /// Of each gate the one of the gap that presses, where it is of dry friction of a contact; nothing where none is.
     pub fn pressed_by(&self) -> Vec<Option<usize>> {
-        if !self.loads.iter().any(|load| load.form.holds) {
+        if !self.loads.iter().any(|load| load.form.holds && load.contact().is_some()) {
             return Vec::new();
         }
         let gates: Vec<(LoadId, usize)> = self.gates().collect();

@@ -82,6 +82,7 @@ impl<'d> Lowering<'d> {
         }
         self.options_twice();
         self.beside_rigid();
+        self.beside_sticking();
         Options {
             coordinates,
             solution,

@@ -200,7 +200,15 @@ pub enum SimulationError {
         /// The time at which they touch, s.
         time: f64,
     },
-    /// An integrator that iterates on residuals was asked to move a mechanism whose contacts are rigid.
+    /// Dry friction in joints has no forces with which each of them sticks or slides: it presses harder by itself than it lets go
+    /// (Painlevé), or is lost in a singular position.
+    Locked {
+        /// The first of the frictions.
+        friction: &'static str,
+        /// The time, s: that of the beginning of the step in which they are sought.
+        time: f64,
+    },
+    /// An integrator that iterates on residuals was asked to move a mechanism whose contacts are rigid, or whose joints stick.
     RigidByResidual {
         /// The first of the contacts.
         contact: &'static str,
@@ -244,6 +252,7 @@ impl SimulationError {
                 Some(row.of)
             }
             SimulationError::EventWithoutEnd { event, .. } => Some(event),
+            SimulationError::Locked { friction, .. } => Some(friction),
             SimulationError::Chatter { contact, .. }
             | SimulationError::Inside { contact, .. }
             | SimulationError::Crowded { contact, .. }
@@ -377,10 +386,15 @@ impl Display for SimulationError {
                  them against each other, or its dry friction jams; leave one of them out, lower that, or give `{contact}` a law of its depth, \
                  such as `kelvin_voigt`"
             ),
+            SimulationError::Locked { friction, time } => write!(
+                f,
+                "near t = {time} s no forces go with the dry friction `{friction}` and what rubs with it, whether they stick or slide: friction that \
+                 presses harder by itself than it lets go jams, so lower its coefficients or radii"
+            ),
             SimulationError::RigidByResidual { contact } => write!(
                 f,
-                "`{contact}` is rigid, and this integrator iterates on residuals, in which forces at rest have no place yet: take an explicit \
-                 one, such as `Rk4` or `DormandPrince`"
+                "`{contact}` is rigid or sticks, and this integrator iterates on residuals, in which forces at rest have no place yet: take an \
+                 explicit one, such as `Rk4` or `DormandPrince`"
             ),
             SimulationError::Unresolved { time, row, reciprocal_condition, before, after } => write!(
                 f,

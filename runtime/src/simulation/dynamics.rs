@@ -51,8 +51,10 @@ pub(super) struct Watch<R, S> {
     pub residual: R,
     /// What friction left at the step's beginning.
     pub friction: R,
-    /// Whether a method asked for residuals of a mechanism whose contacts are rigid.
+    /// Whether a method asked for residuals of a mechanism whose gates are forces.
     pub unheld: bool,
+    /// Whether dry friction in joints had no forces that go with its ways.
+    pub locked: bool,
     pub stepped_over: u32,
     /// The worst stage below [`Real::NEAR_SINGULAR`].
     pub worst: Option<Stage<R, S>>,
@@ -80,6 +82,7 @@ impl<R: Real, S> Watch<R, S> {
             residual: R::ZERO,
             friction: R::ZERO,
             unheld: false,
+            locked: false,
             stepped_over: 0,
             worst: None,
             failure: None,
@@ -239,7 +242,11 @@ where
             self.formulation.acceleration(memory, model, time, state, &inputs, &mut a, &mut lambda);
         let forces = held.map(|held| {
             state.gates = held;
-            self.pressed(time, state, &inputs, &mut a, &mut lambda)
+            let forces = self.pressed(time, state, &inputs, &mut a, &mut lambda);
+            self.watch.locked |= model.sticks()
+                && forces.first_not_finite().is_some()
+                && state.q.first_not_finite().or(state.v.first_not_finite()).is_none();
+            forces
         });
         // Written so that a NaN is seen.
         if !R::any(evaluation.pivot.greater_equal(R::NEAR_SINGULAR)) {

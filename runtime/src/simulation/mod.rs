@@ -19,6 +19,7 @@ mod rigid;
 mod sample;
 mod singularity;
 mod step;
+mod sticking;
 mod strike;
 
 pub use complementarity::RIGID_TOUCHING;

@@ -30,10 +30,10 @@ pub(super) fn near<R: Real>() -> R {
 }
 
 /// The least force by which the effect of one is found, N or N m.
-const LEAST: f64 = 1e-6;
+pub(super) const LEAST: f64 = 1e-6;
 
 /// What a force that holds may be above what it can, as a part of that.
-fn sharp<R: Real>() -> R {
+pub(super) fn sharp<R: Real>() -> R {
     R::from_f64(1e-12).max(R::from_f64(64.0) * R::EPSILON)
 }
 
@@ -63,6 +63,8 @@ pub(super) struct Held<G> {
     pub ways: G,
     /// Which contacts know of each other: those of one group, counted from 0.
     pub groups: G,
+    /// 1 of what rubs in a joint and holds; where it has no way either, neither is known yet.
+    pub stuck: G,
 }
 
 impl<G> Held<G> {
@@ -71,7 +73,7 @@ impl<G> Held<G> {
         G: Vector<R>,
     {
         let zeros = || G::zeros(model.gate_names().len());
-        Held { ways: zeros(), groups: zeros() }
+        Held { ways: zeros(), groups: zeros(), stuck: zeros() }
     }
 }
 
@@ -168,6 +170,9 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
         a: &mut M::V,
         lambda: &mut M::Lambda,
     ) -> M::Gates {
+        if self.model.sticks() {
+            return self.rubbed(time, state, inputs, a, lambda);
+        }
         press(self.model, time, state, &self.held, a, lambda, |gates, a, lambda| {
             (*a, *lambda, _) = self.free(time, &State { gates: gates.clone(), ..state.clone() }, inputs);
         })
@@ -198,6 +203,9 @@ where
     where
         S: InputSource<R, M>,
     {
+        if self.model().sticks() {
+            return self.sticking_guards();
+        }
         let (model, time, state) = (self.model(), self.time(), self.run.state.clone());
         let zeros = || M::Gates::zeros(model.gate_names().len());
         let (mut gaps, mut rates) = (zeros(), zeros());
@@ -236,7 +244,7 @@ where
     pub(super) fn straight(&self) -> M::Gates {
         let model = self.model();
         let mut straight = self.run.state.gates.clone();
-        for i in (0..model.gate_names().len()).filter(|i| pressed_by(model, *i).is_some()) {
+        for i in (0..model.gate_names().len()).filter(|i| model.sticks() || pressed_by(model, *i).is_some()) {
             put(straight.as_mut_slice(), i, R::ONE);
         }
         straight
@@ -252,6 +260,7 @@ where
             match pressed_by(self.model(), *i) {
                 // What holds is near its most by the same part of nothing, N, as what slides is near its end, m/s.
                 Some(_) => gap < -still,
+                None if self.model().sticks() => gap < -still,
                 None => gap < R::ZERO && (closed || **rate < -still || gap < -near),
             }
         });

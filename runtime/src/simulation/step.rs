@@ -142,6 +142,9 @@ where
         if self.dynamics.watch.unheld {
             return Err(SimulationError::RigidByResidual { contact: self.contact(0) });
         }
+        if self.dynamics.watch.locked {
+            return Err(SimulationError::Locked { friction: self.contact(0), time: time.to_f64() });
+        }
         let stepped = match stepped {
             Ok(stepped) => stepped,
             Err(failure) => return Err(self.diagnose_failure(time, failure, inputs)),

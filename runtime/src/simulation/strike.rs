@@ -42,7 +42,7 @@ pub(super) struct Blow<R> {
 }
 
 /// What of a speed counts for no sliding, in roundings of speeds: from it, friction may hold.
-const SLOW: f64 = 1000.0;
+pub(super) const SLOW: f64 = 1000.0;
 
 /// Contacts that know of each other.
 struct Group {

@@ -1,11 +1,18 @@
-//! Dry friction of rigid contacts: it holds with whatever is asked of it up to μ_s N, and slides with μ_k N against the sliding, Coulomb's law as it
-//! is. Its force is a number of the state, along what slides: what it is, and when it changes between both, follows in the run from all
-//! that touches (`simulation/rigid.rs` of the runtime; Pfeiffer and Glocker, *Multibody Dynamics with Unilateral Contacts*, 1996, 5).
+//! Dry friction: it holds with whatever is asked of it up to a bound, and slides with a lesser one against the sliding, Coulomb's law as it is.
+//!
+//! ```text
+//! contact   holds with |F| ≤ μ_s N, slides with μ_k N
+//! joint     holds with |F| ≤ b + r μ_s N, slides with f + r μ_k N       r the radius of what turns, else 1; N as `bearing` has it
+//! ```
+//! Its force (N or N m) is a number of the state, along what slides: what it is, and when it changes between both, follows in the run from all
+//! that touches (`simulation/rigid.rs` of the runtime; Pfeiffer and Glocker, *Multibody Dynamics with Unilateral Contacts*, 1996, 5) or that
+//! rubs in joints (`simulation/sticking.rs` there).
 
-use super::{slips, touching};
+use super::bearing::{LENGTH, RADIUS, SHOULDER};
+use super::{bearing, pressed, slips, touching};
 use crate::equations::laws::Laws;
 use crate::equations::loads::{LoadKind, LoadTerms, along, no_rotors};
-use crate::forms::{Acts, Argument, Form, Law, LoadForm, Need};
+use crate::forms::{Acts, Argument, Form, Law, LoadForm, Need, Value};
 use crate::model::{Load, LoadId};
 use crate::symbolic::{Node, Scalar};
 use crate::units::Dimension;
@@ -17,14 +24,22 @@ pub static LOAD: LoadKind = LoadKind {
             elsewhere: &[],
             positional: &[],
             named: &[
-                Argument::scalar("static", Need::Always, Dimension::ONE).restoring(),
+                Argument::scalar("static", Need::Never, Dimension::ONE).restoring(),
                 Argument::scalar("kinetic", Need::Never, Dimension::ONE).restoring(),
+                RADIUS,
+                LENGTH,
+                SHOULDER,
+                Argument::of("preload", Need::Never, Value::Law(Dimension::FORCE)).not_negative(),
+                Argument::of("force", Need::Never, Value::Law(Dimension::FORCE)).restoring(),
+                Argument::of("torque", Need::Never, Value::Law(Dimension::TORQUE)).restoring(),
+                Argument::of("breakaway", Need::Never, Value::Along { effort: true, way: 0, time: 0 })
+                    .restoring(),
             ],
         },
         instead: None,
         meant: None,
         title: "dry friction",
-        exerts: "what keeps the surfaces of a rigid contact from sliding, up to a share of what presses them, and a share of it where they slide",
+        exerts: "what keeps surfaces of a rigid contact or of a joint from sliding, up to a share of what presses them, and a share of it where they slide",
         exported: "dry",
         on: &[Acts::Bearing],
         law: Law::None,
@@ -43,7 +58,7 @@ pub static LOAD: LoadKind = LoadKind {
     symbol: |_| {},
 };
 
-/// Of each gap of the contact.
+/// Of each gap of the contact; of a joint one.
 fn forces<'g>(laws: &Laws<'g>, load: &Load) -> Vec<Scalar<'g>> {
     let id = laws.mechanism.loads.iter().position(|it| std::ptr::eq(it, load)).map(LoadId);
     let gates = id.into_iter().flat_map(|id| (0..load.ungated.len()).map(move |which| (id, which)));
@@ -56,14 +71,30 @@ fn terms<'g>(laws: &Laws<'g>, load: &Load) -> LoadTerms<'g> {
     })
 }
 
-/// Of each gap: how fast the surfaces slide, and the derivative of that at v̇ = 0.
+/// Of each gap, or of the joint: how fast the surfaces slide, and the derivative of that at v̇ = 0.
 pub fn slidings(laws: &Laws, load: &Load) -> Vec<[Node; 2]> {
-    let Some(contact) = load.contact() else { return Vec::new() };
+    let Some(contact) = load.contact() else {
+        let slips = bearing::slips(laws, load);
+        let along = slips.iter().flat_map(|slip| &slip.along);
+        return along.map(|(coordinate, _)| [coordinate.rate().bare, coordinate.bias().bare]).collect();
+    };
     let all = laws.mechanism.loads[contact.0].slides.iter();
     all.map(|sliding| touching::moved(laws, sliding).map(|it| it.bare)).collect()
 }
 
-/// μ_s and μ_k of a dry friction.
+/// μ_s and μ_k of the dry friction of a contact.
 pub fn shares(laws: &Laws, load: &Load) -> [Node; 2] {
     ["static", "kinetic"].map(|name| laws.value(load.named(name)).bare)
+}
+
+/// Of the dry friction of a joint the most that it holds with, and what it slides with, N or N m.
+pub fn bounds(laws: &Laws, load: &Load) -> [Node; 2] {
+    let slips = bearing::slips(laws, load);
+    let radius = slips.first().map_or_else(|| laws.g.one(), |slip| slip.radius);
+    let by_load = radius * pressed(laws, load);
+    let named = |name: &str| laws.value(load.named(name));
+    let slides = named("force") + named("torque");
+    let own = [named("breakaway"), slides];
+    let shares = ["static", "kinetic"].map(named);
+    [0, 1].map(|which| (own[which] + shares[which] * by_load).bare)
 }

@@ -19,7 +19,7 @@ mod normal;
 mod stribeck;
 mod touching;
 
-pub use dry::{shares, slidings};
+pub use dry::{bounds, shares, slidings};
 pub use normal::{Friction, closed, friction, symbols};
 
 use super::jet::Moving;

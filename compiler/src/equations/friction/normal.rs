@@ -40,8 +40,13 @@ pub struct Friction {
 }
 
 impl Friction {
-    /// Whether nothing rubs by a reaction.
+    /// Whether nothing rubs by a reaction in Q. The force of what is dry is no function of the state, but its N is.
     pub fn is_none(&self) -> bool {
+        self.columns.iter().all(BTreeMap::is_empty)
+    }
+
+    /// Whether N of nothing follows from a reaction.
+    pub fn presses_nowhere(&self) -> bool {
         self.normals.is_empty()
     }
 

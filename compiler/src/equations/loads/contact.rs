@@ -76,10 +76,10 @@ pub fn strikes(laws: &Laws) -> Vec<[Node; 3]> {
     laws.mechanism.loads.iter().flat_map(of).collect()
 }
 
-/// μ_s and μ_k of each gate, where any is of dry friction; zeros of the others.
+/// μ_s and μ_k of each gate, where any is of the dry friction of a contact; zeros of the others.
 pub fn grips(laws: &Laws) -> Vec<[Node; 2]> {
     let loads = laws.mechanism.loads.iter();
-    if !loads.clone().any(|load| load.form.holds) {
+    if !loads.clone().any(|load| load.form.holds && load.contact().is_some()) {
         return Vec::new();
     }
     let of = |load: &Load| {
@@ -87,4 +87,10 @@ pub fn grips(laws: &Laws) -> Vec<[Node; 2]> {
         vec![shares; load.ungated.len()]
     };
     loads.flat_map(of).collect()
+}
+
+/// What the dry friction of each joint holds and slides with, in the order of the gates, which are all of joints then.
+pub fn bounds(laws: &Laws) -> Vec<[Node; 2]> {
+    let sticking = laws.mechanism.loads.iter().filter(|load| load.sticks());
+    sticking.map(|load| friction::bounds(laws, load)).collect()
 }

@@ -17,7 +17,7 @@ pub mod teeth;
 mod torque;
 mod torsion_spring;
 
-pub use contact::{LOAD as CONTACT, grips, guards, strikes};
+pub use contact::{LOAD as CONTACT, bounds, grips, guards, strikes};
 pub use hysteresis::Inner;
 pub use penalty::LOAD as PENALTY;
 pub use torque::CALL as TORQUE;

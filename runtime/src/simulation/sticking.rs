@@ -1,0 +1,335 @@
+//! Dry friction in joints: which of them stick, which slide and which way, and the forces with which they do.
+//!
+//! ```text
+//! sticks    ẇ_i = J_i v̇ + J̇_i v = 0,   |y_i| ≤ b_i          w_i the rate of the joint, rad/s or m/s, y_i the force along it, N m or N
+//! slides    y_i = −σ_i f_i,   σ_i w_i ≥ 0, σ_i = ±1          and from rest σ_i ẇ_i ≥ 0                                       (Coulomb)
+//! ```
+//! v̇ and λ are what the formulation finds with the forces y; b and f may depend on them, by the reactions that press the surfaces, so that these
+//! equations are solved by Newton's method, all of them together. Its slopes are differences: they say how fast it ends, and not where. Which
+//! way each goes stays the same within a piece of a step. What sticks is watched until it is asked for more than b, what slides until it
+//! has no speed (`held.rs` parts the step there); then all ways are tried in which what has no speed may stick or slide, and the first that
+//! is consistent is taken: what sticks before what slides (Pfeiffer and Glocker, *Multibody Dynamics with Unilateral Contacts*, 1996, 5.3).
+
+use super::complementarity::{Few, ROWS, solved};
+use super::rigid::{Held, LEAST, sharp, still};
+use super::strike::{Blow, SLOW};
+use super::{MechanismDynamics, Simulation};
+use crate::error::SimulationError;
+use crate::formulation::Formulation;
+use crate::input::InputSource;
+use crate::integrator::Method;
+use crate::mechanism::{Assemble, Mechanism};
+use crate::real::Real;
+use crate::state::{State, StateOf};
+use crate::vector::{Vector, at, put};
+
+/// The most passes of Newton's method.
+const PASSES: u32 = 24;
+
+/// A last change of the forces as a part of them: what is left is less by the error of the slopes, a ten-thousandth.
+const CHANGE: f64 = 1e-12;
+
+/// A change after which slopes are found anew.
+const RENEWED: f64 = 1e-3;
+
+/// What is taken where rounding lets a change shrink no more.
+const ROUNDED: f64 = 1e-9;
+
+/// What of the derivative of a rate is rounding, as a part of the largest.
+const NOTHING: f64 = 1e-11;
+
+/// Forces of all that rubs in joints, and what follows from them.
+struct Moved<R: Real, M: Mechanism<R>> {
+    forces: M::Gates,
+    a: M::V,
+    lambda: M::Lambda,
+    /// ẇ of each.
+    bends: M::Gates,
+    /// b and f of each.
+    holding: M::Gates,
+    sliding: M::Gates,
+}
+
+/// How what is left of the equations changes with each force, and the accelerations do.
+struct Slopes<R, V> {
+    matrix: [Few<R>; ROWS],
+    ways: [V; ROWS],
+}
+
+/// Where forces are sought.
+struct Place<'s, R: Real, M: Mechanism<R>> {
+    time: R,
+    state: &'s StateOf<M, R>,
+    inputs: &'s M::Inputs,
+}
+
+fn count<R: Real, M: Mechanism<R>>(model: &M) -> usize {
+    model.gate_names().len().min(ROWS)
+}
+
+fn sticks<R: Real, G: Vector<R>>(held: &Held<G>, i: usize) -> bool {
+    R::any(at(held.stuck.as_slice(), i).greater(R::ZERO))
+}
+
+/// Whether it is said of each whether it sticks or slides.
+fn is_known<R: Real, M: Mechanism<R>>(model: &M, held: &Held<M::Gates>) -> bool {
+    (0..count(model)).all(|i| sticks::<R, _>(held, i) || !R::any(at(held.ways.as_slice(), i).equal(R::ZERO)))
+}
+
+/// What is left of the equation of each: ẇ of what sticks, y + σ f of what slides.
+fn left<R: Real, M: Mechanism<R>>(held: &Held<M::Gates>, moved: &Moved<R, M>) -> Few<R> {
+    core::array::from_fn(|i| {
+        if sticks::<R, _>(held, i) {
+            at(moved.bends.as_slice(), i)
+        } else {
+            let way = at(held.ways.as_slice(), i);
+            way.mul_add(at(moved.sliding.as_slice(), i), at(moved.forces.as_slice(), i))
+        }
+    })
+}
+
+fn largest<R: Real>(of: &[R]) -> R {
+    of.iter().fold(R::ZERO, |largest, x| largest.max(x.abs()))
+}
+
+impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m, M, R, F, S> {
+    /// The forces of what rubs in joints, and the accelerations with them; no numbers where there are none.
+    pub(super) fn rubbed(
+        &self,
+        time: R,
+        state: &StateOf<M, R>,
+        inputs: &M::Inputs,
+        a: &mut M::V,
+        lambda: &mut M::Lambda,
+    ) -> M::Gates {
+        let place = Place { time, state, inputs };
+        let found = if is_known(self.model, &self.held) {
+            self.balanced(&place, &self.held)
+        } else {
+            self.sought(&place).map(|(_, moved)| moved)
+        };
+        match found {
+            Some(moved) => {
+                (*a, *lambda) = (moved.a, moved.lambda);
+                moved.forces
+            }
+            None => {
+                let none = R::from_f64(f64::NAN);
+                *a = a.scaled(none);
+                state.gates.scaled(none)
+            }
+        }
+    }
+
+    fn moved(&self, place: &Place<'_, R, M>, forces: M::Gates) -> Moved<R, M> {
+        let model = self.model;
+        let zeros = || M::Gates::zeros(model.gate_names().len());
+        let Place { time, inputs, .. } = *place;
+        let state = State { gates: forces, ..place.state.clone() };
+        let (a, lambda, _) = self.free(time, &state, inputs);
+        let along = |v: &M::V| {
+            let (mut rates, mut biases) = (zeros(), zeros());
+            model.strikes(time, &state.q, v, &mut rates, &mut biases, &mut zeros());
+            (rates, biases)
+        };
+        let ((drifts, _), (_, biases)) = (along(&model.zero_v()), along(&state.v));
+        let bends = along(&a).0.plus(-R::ONE, &drifts).plus(R::ONE, &biases);
+        let (mut holding, mut sliding) = (zeros(), zeros());
+        model.bounds(time, &state, inputs, &a, &lambda, &mut holding, &mut sliding);
+        Moved { forces: state.gates, a, lambda, bends, holding, sliding }
+    }
+
+    /// The forces with which what sticks does, and what slides is braked; nothing where there are none.
+    fn balanced(&self, place: &Place<'_, R, M>, held: &Held<M::Gates>) -> Option<Moved<R, M>> {
+        let count = count(self.model);
+        let mut begin = place.state.gates.clone();
+        // What several hold alike is shared by how they hold, and not by what they held before.
+        let sticking = (0..count).filter(|i| sticks::<R, _>(held, *i));
+        let sets = sticking.fold(0_usize, |set, i| {
+            put(begin.as_mut_slice(), i, R::ZERO);
+            set | 1 << i
+        });
+        let mut moved = self.moved(place, begin);
+        let size = |forces: &M::Gates| forces.max_abs().max(R::from_f64(LEAST));
+        let open = left(held, &moved);
+        if sets == 0 && !R::any(largest(&open).greater(R::from_f64(64.0) * R::EPSILON * size(&moved.forces)))
+        {
+            return Some(moved);
+        }
+        let enough = R::from_f64(CHANGE).max(R::from_f64(64.0) * R::EPSILON);
+        let (mut slopes, mut before) = (self.slopes(place, held, &moved), R::ZERO);
+        for pass in 0..PASSES {
+            let change = solved(&slopes.matrix, &left(held, &moved), 0, count, (1 << count) - 1)?;
+            let mut forces = moved.forces.clone();
+            for (force, change) in forces.as_mut_slice().iter_mut().zip(change) {
+                *force = *force + change;
+            }
+            let (changed, whole) = (largest(&change), size(&forces));
+            moved = self.moved(place, forces);
+            // Written so that a NaN ends it.
+            if !R::any(changed.greater(enough * whole)) {
+                return Some(moved);
+            }
+            if pass > 1 && R::any((changed + changed).greater(before)) {
+                let rounded = R::from_f64(ROUNDED).max(R::EPSILON.sqrt());
+                return R::any(changed.less(rounded * whole)).then_some(moved);
+            }
+            if R::any(changed.greater(R::from_f64(RENEWED) * whole)) {
+                slopes = self.slopes(place, held, &moved);
+            }
+            before = changed;
+        }
+        None
+    }
+
+    fn slopes(&self, place: &Place<'_, R, M>, held: &Held<M::Gates>, moved: &Moved<R, M>) -> Slopes<R, M::V> {
+        let model = self.model;
+        let mut matrix = [[R::ZERO; ROWS]; ROWS];
+        let base = left(held, moved);
+        let part = R::EPSILON.sqrt().sqrt();
+        let ways = core::array::from_fn(|column| {
+            if column >= count(model) {
+                return model.zero_v();
+            }
+            let own = at(moved.forces.as_slice(), column);
+            let size = own.abs().max(at(moved.holding.as_slice(), column)).max(R::from_f64(LEAST));
+            let mut forces = moved.forces.clone();
+            put(forces.as_mut_slice(), column, own + part * size);
+            let more = self.moved(place, forces);
+            // As it is rounded.
+            let by = R::ONE / (at(more.forces.as_slice(), column) - own);
+            for ((row, after), before) in matrix.iter_mut().zip(left(held, &more)).zip(base) {
+                put(row, column, (after - before) * by);
+            }
+            more.a.plus(-R::ONE, &moved.a).scaled(by)
+        });
+        Slopes { matrix, ways }
+    }
+
+    /// Which stick and which slide, and their forces: of what has a speed that is known; all else may do either.
+    fn sought(&self, place: &Place<'_, R, M>) -> Option<(Held<M::Gates>, Moved<R, M>)> {
+        let (model, State { q, v, .. }) = (self.model, place.state);
+        let (count, zeros) = (count(model), || M::Gates::zeros(model.gate_names().len()));
+        let mut rates = zeros();
+        model.strikes(place.time, q, v, &mut rates, &mut zeros(), &mut zeros());
+        let slow = R::from_f64(SLOW) * still(v.as_slice());
+        let way_of = |i: usize| match at(rates.as_slice(), i) {
+            _ if sticks::<R, _>(&self.held, i) => R::ZERO,
+            rate if R::any(rate.greater(slow)) => R::ONE,
+            rate if R::any(rate.less(-slow)) => -R::ONE,
+            _ => R::ZERO,
+        };
+        let is_open = |i: usize| R::any(way_of(i).equal(R::ZERO));
+        let free = self.moved(place, zeros());
+        let nothing = R::from_f64(NOTHING).max(R::from_f64(1000.0) * R::EPSILON) * free.bends.max_abs();
+        let many = 3_usize.pow((0..count).filter(|i| is_open(*i)).count() as u32);
+        (0..many).find_map(|mut which| {
+            let mut held = Held::none(model);
+            for i in 0..count {
+                let mut way = way_of(i);
+                if is_open(i) {
+                    let digit = which % 3;
+                    which /= 3;
+                    way = [R::ZERO, R::ONE, -R::ONE].get(digit).copied().unwrap_or(R::ZERO);
+                    put(held.stuck.as_mut_slice(), i, if digit == 0 { R::ONE } else { R::ZERO });
+                }
+                put(held.ways.as_mut_slice(), i, way);
+            }
+            let moved = self.balanced(place, &held)?;
+            let is_consistent = |i: usize| {
+                if sticks::<R, _>(&held, i) {
+                    let most = (R::ONE + sharp()) * at(moved.holding.as_slice(), i);
+                    return R::any(at(moved.forces.as_slice(), i).abs().less_equal(most));
+                }
+                let along = at(held.ways.as_slice(), i) * at(moved.bends.as_slice(), i);
+                !is_open(i) || R::any(along.greater_equal(-nothing))
+            };
+            (0..count).all(is_consistent).then_some((held, moved))
+        })
+    }
+}
+
+impl<'m, R, M, F, S, I> Simulation<'m, M, R, F, S, I>
+where
+    R: Real,
+    M: Assemble<R>,
+    F: Formulation<R, M>,
+    I: Method<R>,
+{
+    /// What sticks and what slides from here on.
+    pub(super) fn stick(&mut self) -> Result<Blow<R>, SimulationError>
+    where
+        S: InputSource<R, M>,
+    {
+        let (model, time, mut state) = (self.model(), self.time(), self.run.state.clone());
+        let inputs = self.dynamics.present_inputs(time, &state);
+        let place = Place { time, state: &state, inputs: &inputs };
+        let Some((held, moved)) = self.dynamics.sought(&place) else {
+            return Err(SimulationError::Locked { friction: self.contact(0), time: time.to_f64() });
+        };
+        // What a method leaves of the rates of what sticks is taken back, along the way of an impulse.
+        let zeros = || M::Gates::zeros(model.gate_names().len());
+        let (count, mut rates) = (count(model), zeros());
+        model.strikes(time, &state.q, &state.v, &mut rates, &mut zeros(), &mut zeros());
+        let creeps = |i: &usize| sticks::<R, _>(&held, *i) && at(rates.as_slice(), *i) != R::ZERO;
+        if (0..count).any(|i| creeps(&i)) {
+            let slopes = self.dynamics.slopes(&place, &held, &moved);
+            let sticking = (0..count).filter(|i| sticks::<R, _>(&held, *i));
+            let set = sticking.fold(0_usize, |set, i| set | 1 << i);
+            let off = core::array::from_fn(|i| at(rates.as_slice(), i));
+            if let Some(back) = solved(&slopes.matrix, &off, 0, count, set) {
+                for (along, way) in back.iter().zip(&slopes.ways) {
+                    state.v.axpy(*along, way);
+                }
+            }
+        }
+        let before = &self.dynamics.held;
+        let differs = |i: usize| {
+            sticks::<R, _>(before, i) != sticks::<R, _>(&held, i)
+                || at(before.ways.as_slice(), i) != at(held.ways.as_slice(), i)
+        };
+        let mut blow = Blow::none();
+        if is_known(model, before) {
+            blow.changed = (0..count).filter(|i| differs(*i)).count() as u32;
+        }
+        if (0..count).any(differs) {
+            // What a method carries from step to step is of the motion before.
+            self.memory = self.integrator.memory();
+        }
+        state.gates = moved.forces;
+        self.run.state = state;
+        self.dynamics.held = held;
+        Ok(blow)
+    }
+
+    /// Of each joint, and zero: where it sticks how much more it could hold, where it slides how fast it does.
+    pub(super) fn sticking_guards(&mut self) -> [M::Gates; 2]
+    where
+        S: InputSource<R, M>,
+    {
+        let (model, time, state) = (self.model(), self.time(), self.run.state.clone());
+        let zeros = || M::Gates::zeros(model.gate_names().len());
+        let (mut guards, mut rates) = (zeros(), zeros());
+        model.strikes(time, &state.q, &state.v, &mut rates, &mut zeros(), &mut zeros());
+        let inputs = self.dynamics.inputs_within(time, &state);
+        let held = &self.dynamics.held;
+        let all = 0..count(model);
+        let moved = all.clone().any(|i| sticks::<R, _>(held, i)).then(|| {
+            let place = Place { time, state: &state, inputs: &inputs };
+            self.dynamics.balanced(&place, held)
+        });
+        for i in all {
+            let guard = match &moved {
+                Some(Some(moved)) if sticks::<R, _>(held, i) => {
+                    let most = (R::ONE + sharp()) * at(moved.holding.as_slice(), i);
+                    most - at(moved.forces.as_slice(), i).abs()
+                }
+                // It ends where nothing balances it any more.
+                Some(None) if sticks::<R, _>(held, i) => -R::ONE,
+                _ => at(held.ways.as_slice(), i) * at(rates.as_slice(), i),
+            };
+            put(guards.as_mut_slice(), i, guard);
+        }
+        [guards, zeros()]
+    }
+}
