@@ -35,6 +35,9 @@ const RENEWED: f64 = 1e-3;
 /// What is taken where rounding lets a change shrink no more.
 const ROUNDED: f64 = 1e-9;
 
+/// How often it is asked again what sticks once what sticks has no speed.
+const ROUNDS: u32 = 2;
+
 /// What of the derivative of a rate is rounding, as a part of the largest.
 const NOTHING: f64 = 1e-11;
 
@@ -263,26 +266,37 @@ where
     {
         let (model, time, mut state) = (self.model(), self.time(), self.run.state.clone());
         let inputs = self.dynamics.present_inputs(time, &state);
-        let place = Place { time, state: &state, inputs: &inputs };
-        let Some((held, moved)) = self.dynamics.sought(&place) else {
-            return Err(SimulationError::Locked { friction: self.contact(0), time: time.to_f64() });
-        };
-        // What a method leaves of the rates of what sticks is taken back, along the way of an impulse.
         let zeros = || M::Gates::zeros(model.gate_names().len());
-        let (count, mut rates) = (count(model), zeros());
-        model.strikes(time, &state.q, &state.v, &mut rates, &mut zeros(), &mut zeros());
-        let creeps = |i: &usize| sticks::<R, _>(&held, *i) && at(rates.as_slice(), *i) != R::ZERO;
-        if (0..count).any(|i| creeps(&i)) {
+        let count = count(model);
+        let mut rounds = 0..ROUNDS;
+        let (held, forces) = loop {
+            let place = Place { time, state: &state, inputs: &inputs };
+            let Some((held, moved)) = self.dynamics.sought(&place) else {
+                return Err(SimulationError::Locked { friction: self.contact(0), time: time.to_f64() });
+            };
+            // What a method leaves of the rates of what sticks is taken back, along the way of an impulse.
+            let mut rates = zeros();
+            model.strikes(time, &state.q, &state.v, &mut rates, &mut zeros(), &mut zeros());
+            let creeps = |i: usize| sticks::<R, _>(&held, i) && at(rates.as_slice(), i) != R::ZERO;
+            if rounds.next().is_none() || !(0..count).any(creeps) {
+                break (held, moved.forces);
+            }
             let slopes = self.dynamics.slopes(&place, &held, &moved);
             let sticking = (0..count).filter(|i| sticks::<R, _>(&held, *i));
             let set = sticking.fold(0_usize, |set, i| set | 1 << i);
             let off = core::array::from_fn(|i| at(rates.as_slice(), i));
-            if let Some(back) = solved(&slopes.matrix, &off, 0, count, set) {
-                for (along, way) in back.iter().zip(&slopes.ways) {
-                    state.v.axpy(*along, way);
-                }
+            let back = solved(&slopes.matrix, &off, 0, count, set).unwrap_or([R::ZERO; ROWS]);
+            for (along, way) in back.iter().zip(&slopes.ways) {
+                state.v.axpy(*along, way);
             }
-        }
+            // What they hold does not slide any more.
+            let slow = R::from_f64(SLOW) * still(state.v.as_slice());
+            model.strikes(time, &state.q, &state.v, &mut rates, &mut zeros(), &mut zeros());
+            let rests = |i: usize| !sticks::<R, _>(&held, i) && at(rates.as_slice(), i).abs() <= slow;
+            if !(0..count).any(rests) {
+                break (held, moved.forces);
+            }
+        };
         let before = &self.dynamics.held;
         let differs = |i: usize| {
             sticks::<R, _>(before, i) != sticks::<R, _>(&held, i)
@@ -296,7 +310,7 @@ where
             // What a method carries from step to step is of the motion before.
             self.memory = self.integrator.memory();
         }
-        state.gates = moved.forces;
+        state.gates = forces;
         self.run.state = state;
         self.dynamics.held = held;
         Ok(blow)
