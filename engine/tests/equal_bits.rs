@@ -167,6 +167,13 @@ fn functions<M: Model>() {
         engine.grips(&mut own_holding, &mut own_sliding);
         same("grips: holding", holding.as_slice(), own_holding.as_slice());
         same("grips: sliding", sliding.as_slice(), own_sliding.as_slice());
+        assert_eq!(model.sticks(), engine.sticks());
+        let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
+        model.acceleration(time, &state, &at.u, &mut a, &mut lambda);
+        model.bounds(time, &state, &at.u, &a, &lambda, &mut holding, &mut sliding);
+        engine.bounds(time, &own, &u, &list(&a), &list(&lambda), &mut own_holding, &mut own_sliding);
+        same("bounds: holding", holding.as_slice(), own_holding.as_slice());
+        same("bounds: sliding", sliding.as_slice(), own_sliding.as_slice());
         let outputs = model.outputs(time, &state, &at.u);
         let mut own_outputs = engine.outputs(time, &own, &u);
         same("outputs", outputs.to_array().as_slice(), own_outputs.as_slice());

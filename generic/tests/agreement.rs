@@ -17,6 +17,8 @@ const TOLERANCE: f64 = 1e-8;
 const REFUSED: &[(&str, &str)] = &[
     ("ball_between_walls", RIGID),
     ("block", MODAL),
+    ("braking", DRY),
+    ("braking_in_space", DRY),
     ("cam_lift_off", RIGID),
     ("cammed", "joints on cams"),
     ("cantilever", MODAL),
@@ -33,6 +35,7 @@ const REFUSED: &[(&str, &str)] = &[
     ("yielding", "friction in joints that yield"),
 ];
 const MODAL: &str = "bodies with the modes of a file";
+const DRY: &str = "dry friction that sticks in joints";
 const RIGID: &str = "impulses of rigid contacts";
 
 /// Moments of the motion.

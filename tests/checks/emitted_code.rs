@@ -120,6 +120,11 @@ fn emitted<M: Model>(model: &M, inputs: &Inputs, function: Function) -> Option<V
             model.grips(&mut holding, &mut sliding);
             [holding.as_slice(), sliding.as_slice()].concat()
         }
+        Function::Bounds => {
+            let [mut holding, mut sliding] = [at.gates; 2];
+            model.bounds(t, state, u, &a, &lambda, &mut holding, &mut sliding);
+            [holding.as_slice(), sliding.as_slice()].concat()
+        }
         Function::InverseDynamics => model.flat_inverse_dynamics(&at, &a),
         Function::Powers => model.flat_powers(&at),
         Function::DriverEfforts => model.flat_driver_efforts(&at, &lambda),

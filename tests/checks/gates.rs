@@ -61,7 +61,7 @@ fn held_is_live_at_one_state<M: Model>() {
 /// themselves, or by drivers, these do work.
 fn impulses_take_what_they_say<M: Model>() {
     let model = M::standard();
-    if !model.is_rigid() {
+    if !model.is_rigid() || model.sticks() {
         return;
     }
     let zero = M::Inputs::from_array(Vector::zeros(M::Inputs::NAMES.len()));

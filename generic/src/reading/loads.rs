@@ -81,6 +81,9 @@ impl Reader<'_> {
                 }])
             }
             "mesh" => self.mesh(node, own)?,
+            "dry" if self.contact_named(text(node, "on", own)?)?.is_none() => {
+                return Err(DefinitionError::not_there_yet(own, "dry friction that sticks in joints"));
+            }
             "dry" => return Err(DefinitionError::not_there_yet(own, "impulses of rigid contacts that rub")),
             kind if is_friction(kind) && self.contact_named(text(node, "on", own)?)?.is_some() => {
                 let spots = self.spots(text(node, "on", own)?)?;

@@ -165,7 +165,8 @@ where
 
     /// An error if touches and releases, or events, are too many for one step.
     fn check_count(&mut self, events: u32, first: usize) -> Result<(), SimulationError> {
-        let most = if self.model().is_rigid() { IMPACTS_PER_STEP } else { EVENTS_PER_STEP };
+        let strikes = self.model().is_rigid() && !self.model().sticks();
+        let most = if strikes { IMPACTS_PER_STEP } else { EVENTS_PER_STEP };
         if events <= most {
             return Ok(());
         }

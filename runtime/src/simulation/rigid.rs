@@ -61,7 +61,7 @@ pub(super) fn grips<R: Real, M: Mechanism<R>>(model: &M) -> [M::Gates; 2] {
 pub(super) struct Held<G> {
     /// Which way what rubs slides: 1 or −1 with and against the rate that `strikes` gives, 0 where it holds.
     pub ways: G,
-    /// Which contacts know of each other: those of one group, counted from 0.
+    /// Which contacts know of each other: those of one group, counted from 0. Of joints that slide 1 where others hold them, so that they rest.
     pub groups: G,
     /// 1 of what rubs in a joint and holds; where it has no way either, neither is known yet.
     pub stuck: G,

@@ -21,7 +21,7 @@ use crate::integrator::Method;
 use crate::mechanism::{Assemble, Mechanism};
 use crate::real::Real;
 use crate::state::{State, StateOf};
-use crate::vector::{Vector, at, put};
+use crate::vector::{Vector, at, dot, put};
 
 /// The most passes of Newton's method.
 const PASSES: u32 = 24;
@@ -35,11 +35,12 @@ const RENEWED: f64 = 1e-3;
 /// What is taken where rounding lets a change shrink no more.
 const ROUNDED: f64 = 1e-9;
 
-/// How often it is asked again what sticks once what sticks has no speed.
-const ROUNDS: u32 = 2;
+/// What is left of the motion that a joint has by itself where others hold it, as a part of it without them.
+const TIED: f64 = 1e-6;
 
-/// What of the derivative of a rate is rounding, as a part of the largest.
+/// What of the derivative of a rate is rounding, as a part of the largest; and what methods leave of it where others hold a joint.
 const NOTHING: f64 = 1e-11;
+const NEARLY_NOTHING: f64 = 1e-6;
 
 /// Forces of all that rubs in joints, and what follows from them.
 struct Moved<R: Real, M: Mechanism<R>> {
@@ -57,6 +58,53 @@ struct Moved<R: Real, M: Mechanism<R>> {
 struct Slopes<R, V> {
     matrix: [Few<R>; ROWS],
     ways: [V; ROWS],
+    ties: Ties<R>,
+}
+
+/// What sticks and has no motion of its own, since others that stick hold it: they share what is asked of them so that Σ G_ii y_i² is least,
+///
+/// ```text
+/// Σ n_i G_ii y_i = 0,    G n = 0,  n_t = 1
+/// ```
+/// which stands in the place of ẇ_t = 0. G are the derivatives of ẇ by y.
+struct Ties<R> {
+    rows: [Option<Few<R>>; ROWS],
+    /// Those with a motion of their own, as bits.
+    firm: usize,
+}
+
+impl<R: Real> Ties<R> {
+    fn of(matrix: &[Few<R>; ROWS], sticking: usize) -> Self {
+        let mut ties = Ties { rows: [None; ROWS], firm: 0 };
+        for (t, tie) in ties.rows.iter_mut().enumerate().filter(|(t, _)| sticking >> t & 1 == 1) {
+            match share(matrix, ties.firm, t) {
+                Some(null) => {
+                    let diagonal = |i: usize| matrix.get(i).map_or(R::ZERO, |row| at(row, i));
+                    *tie = Some(core::array::from_fn(|i| at(&null, i) * diagonal(i)));
+                }
+                None => ties.firm |= 1 << t,
+            }
+        }
+        ties
+    }
+}
+
+/// n of a joint that is held by those in `firm`; nothing where it is not.
+fn share<R: Real>(matrix: &[Few<R>; ROWS], firm: usize, t: usize) -> Option<Few<R>> {
+    if firm == 0 {
+        return None;
+    }
+    let column = core::array::from_fn(|i| matrix.get(i).map_or(R::ZERO, |row| at(row, t)));
+    let mut null = solved(matrix, &column, 0, ROWS, firm)?;
+    put(&mut null, t, R::ONE);
+    let row = matrix.get(t)?;
+    let least = R::from_f64(TIED).max(R::EPSILON.sqrt());
+    R::any(dot(row, &null).less(least * at(row, t))).then_some(null)
+}
+
+/// All joints that stick, as bits.
+fn sticking<R: Real, G: Vector<R>>(held: &Held<G>, count: usize) -> usize {
+    (0..count).filter(|i| sticks::<R, _>(held, *i)).fold(0, |set, i| set | 1 << i)
 }
 
 /// Where forces are sought.
@@ -79,10 +127,16 @@ fn is_known<R: Real, M: Mechanism<R>>(model: &M, held: &Held<M::Gates>) -> bool 
     (0..count(model)).all(|i| sticks::<R, _>(held, i) || !R::any(at(held.ways.as_slice(), i).equal(R::ZERO)))
 }
 
-/// What is left of the equation of each: ẇ of what sticks, y + σ f of what slides.
-fn left<R: Real, M: Mechanism<R>>(held: &Held<M::Gates>, moved: &Moved<R, M>) -> Few<R> {
+/// What is left of the equation of each: ẇ of what sticks, or how it shares that with others; y + σ f of what slides.
+fn left<R: Real, M: Mechanism<R>>(
+    held: &Held<M::Gates>,
+    ties: Option<&Ties<R>>,
+    moved: &Moved<R, M>,
+) -> Few<R> {
     core::array::from_fn(|i| {
-        if sticks::<R, _>(held, i) {
+        if let Some(Some(tie)) = ties.and_then(|ties| ties.rows.get(i)) {
+            dot(tie, moved.forces.as_slice())
+        } else if sticks::<R, _>(held, i) {
             at(moved.bends.as_slice(), i)
         } else {
             let way = at(held.ways.as_slice(), i);
@@ -109,7 +163,7 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
         let found = if is_known(self.model, &self.held) {
             self.balanced(&place, &self.held)
         } else {
-            self.sought(&place).map(|(_, moved)| moved)
+            self.sought(&place, 0).map(|(_, moved)| moved)
         };
         match found {
             Some(moved) => {
@@ -147,22 +201,22 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
         let count = count(self.model);
         let mut begin = place.state.gates.clone();
         // What several hold alike is shared by how they hold, and not by what they held before.
-        let sticking = (0..count).filter(|i| sticks::<R, _>(held, *i));
-        let sets = sticking.fold(0_usize, |set, i| {
+        let stuck = sticking::<R, _>(held, count);
+        for i in (0..count).filter(|i| stuck >> i & 1 == 1) {
             put(begin.as_mut_slice(), i, R::ZERO);
-            set | 1 << i
-        });
+        }
         let mut moved = self.moved(place, begin);
         let size = |forces: &M::Gates| forces.max_abs().max(R::from_f64(LEAST));
-        let open = left(held, &moved);
-        if sets == 0 && !R::any(largest(&open).greater(R::from_f64(64.0) * R::EPSILON * size(&moved.forces)))
+        let open = left(held, None, &moved);
+        if stuck == 0 && !R::any(largest(&open).greater(R::from_f64(64.0) * R::EPSILON * size(&moved.forces)))
         {
             return Some(moved);
         }
         let enough = R::from_f64(CHANGE).max(R::from_f64(64.0) * R::EPSILON);
         let (mut slopes, mut before) = (self.slopes(place, held, &moved), R::ZERO);
         for pass in 0..PASSES {
-            let change = solved(&slopes.matrix, &left(held, &moved), 0, count, (1 << count) - 1)?;
+            let open = left(held, Some(&slopes.ties), &moved);
+            let change = solved(&slopes.matrix, &open, 0, count, (1 << count) - 1)?;
             let mut forces = moved.forces.clone();
             for (force, change) in forces.as_mut_slice().iter_mut().zip(change) {
                 *force = *force + change;
@@ -188,7 +242,7 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
     fn slopes(&self, place: &Place<'_, R, M>, held: &Held<M::Gates>, moved: &Moved<R, M>) -> Slopes<R, M::V> {
         let model = self.model;
         let mut matrix = [[R::ZERO; ROWS]; ROWS];
-        let base = left(held, moved);
+        let base = left(held, None, moved);
         let part = R::EPSILON.sqrt().sqrt();
         let ways = core::array::from_fn(|column| {
             if column >= count(model) {
@@ -201,51 +255,82 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
             let more = self.moved(place, forces);
             // As it is rounded.
             let by = R::ONE / (at(more.forces.as_slice(), column) - own);
-            for ((row, after), before) in matrix.iter_mut().zip(left(held, &more)).zip(base) {
+            for ((row, after), before) in matrix.iter_mut().zip(left(held, None, &more)).zip(base) {
                 put(row, column, (after - before) * by);
             }
             more.a.plus(-R::ONE, &moved.a).scaled(by)
         });
-        Slopes { matrix, ways }
+        let ties = Ties::of(&matrix, sticking::<R, _>(held, count(model)));
+        for (row, tie) in matrix.iter_mut().zip(&ties.rows) {
+            *row = tie.unwrap_or(*row);
+        }
+        Slopes { matrix, ways, ties }
     }
 
-    /// Which stick and which slide, and their forces: of what has a speed that is known; all else may do either.
-    fn sought(&self, place: &Place<'_, R, M>) -> Option<(Held<M::Gates>, Moved<R, M>)> {
+    /// G of all joints.
+    fn yielding(&self, place: &Place<'_, R, M>, ways: &[M::V; ROWS]) -> [Few<R>; ROWS] {
+        let model = self.model;
+        let zeros = || M::Gates::zeros(model.gate_names().len());
+        let along = |v: &M::V| {
+            let mut rates = zeros();
+            model.strikes(place.time, &place.state.q, v, &mut rates, &mut zeros(), &mut zeros());
+            rates
+        };
+        let (drifts, mut matrix) = (along(&model.zero_v()), [[R::ZERO; ROWS]; ROWS]);
+        for (column, way) in ways.iter().enumerate().take(count(model)) {
+            let moved = along(way).plus(-R::ONE, &drifts);
+            for (row, moved) in matrix.iter_mut().zip(moved.as_slice()) {
+                put(row, column, *moved);
+            }
+        }
+        matrix
+    }
+
+    /// Which stick and which slide, and their forces: of what has a speed and does not rest that is known; all else may do either.
+    fn sought(&self, place: &Place<'_, R, M>, resting: usize) -> Option<(Held<M::Gates>, Moved<R, M>)> {
         let (model, State { q, v, .. }) = (self.model, place.state);
         let (count, zeros) = (count(model), || M::Gates::zeros(model.gate_names().len()));
         let mut rates = zeros();
         model.strikes(place.time, q, v, &mut rates, &mut zeros(), &mut zeros());
         let slow = R::from_f64(SLOW) * still(v.as_slice());
+        let rests = |i: usize| resting >> i & 1 == 1;
         let way_of = |i: usize| match at(rates.as_slice(), i) {
-            _ if sticks::<R, _>(&self.held, i) => R::ZERO,
+            _ if rests(i) || sticks::<R, _>(&self.held, i) => R::ZERO,
             rate if R::any(rate.greater(slow)) => R::ONE,
             rate if R::any(rate.less(-slow)) => -R::ONE,
             _ => R::ZERO,
         };
         let is_open = |i: usize| R::any(way_of(i).equal(R::ZERO));
-        let free = self.moved(place, zeros());
-        let nothing = R::from_f64(NOTHING).max(R::from_f64(1000.0) * R::EPSILON) * free.bends.max_abs();
+        let whole = self.moved(place, zeros()).bends.max_abs();
+        let nothing = R::from_f64(NOTHING).max(R::from_f64(1000.0) * R::EPSILON) * whole;
+        let nearly = R::from_f64(NEARLY_NOTHING).max(R::EPSILON.sqrt()) * whole;
         let many = 3_usize.pow((0..count).filter(|i| is_open(*i)).count() as u32);
+        // What would stick and cannot slides where it is pushed, rather than back.
+        let mut pushed = zeros();
         (0..many).find_map(|mut which| {
-            let mut held = Held::none(model);
+            let (mut held, all) = (Held::none(model), which == 0);
             for i in 0..count {
                 let mut way = way_of(i);
                 if is_open(i) {
                     let digit = which % 3;
                     which /= 3;
-                    way = [R::ZERO, R::ONE, -R::ONE].get(digit).copied().unwrap_or(R::ZERO);
+                    let on = if R::any(at(pushed.as_slice(), i).greater(R::ZERO)) { -R::ONE } else { R::ONE };
+                    way = [R::ZERO, on, -on].get(digit).copied().unwrap_or(R::ZERO);
                     put(held.stuck.as_mut_slice(), i, if digit == 0 { R::ONE } else { R::ZERO });
                 }
                 put(held.ways.as_mut_slice(), i, way);
             }
             let moved = self.balanced(place, &held)?;
+            if all {
+                pushed = moved.forces.clone();
+            }
             let is_consistent = |i: usize| {
                 if sticks::<R, _>(&held, i) {
                     let most = (R::ONE + sharp()) * at(moved.holding.as_slice(), i);
                     return R::any(at(moved.forces.as_slice(), i).abs().less_equal(most));
                 }
                 let along = at(held.ways.as_slice(), i) * at(moved.bends.as_slice(), i);
-                !is_open(i) || R::any(along.greater_equal(-nothing))
+                !is_open(i) || R::any(along.greater_equal(-if rests(i) { nearly } else { nothing }))
             };
             (0..count).all(is_consistent).then_some((held, moved))
         })
@@ -268,34 +353,40 @@ where
         let inputs = self.dynamics.present_inputs(time, &state);
         let zeros = || M::Gates::zeros(model.gate_names().len());
         let count = count(model);
-        let mut rounds = 0..ROUNDS;
+        // What others hold rests, whatever a method leaves of its rate.
+        let tied = |i: &usize| R::any(at(self.dynamics.held.groups.as_slice(), *i).greater(R::ZERO));
+        let mut resting = (0..count).filter(tied).fold(0_usize, |set, i| set | 1 << i);
         let (held, forces) = loop {
             let place = Place { time, state: &state, inputs: &inputs };
-            let Some((held, moved)) = self.dynamics.sought(&place) else {
+            let Some((mut held, moved)) = self.dynamics.sought(&place, resting) else {
                 return Err(SimulationError::Locked { friction: self.contact(0), time: time.to_f64() });
             };
-            // What a method leaves of the rates of what sticks is taken back, along the way of an impulse.
-            let mut rates = zeros();
-            model.strikes(time, &state.q, &state.v, &mut rates, &mut zeros(), &mut zeros());
-            let creeps = |i: usize| sticks::<R, _>(&held, i) && at(rates.as_slice(), i) != R::ZERO;
-            if rounds.next().is_none() || !(0..count).any(creeps) {
+            let stuck = sticking::<R, _>(&held, count);
+            if stuck == 0 {
                 break (held, moved.forces);
             }
             let slopes = self.dynamics.slopes(&place, &held, &moved);
-            let sticking = (0..count).filter(|i| sticks::<R, _>(&held, *i));
-            let set = sticking.fold(0_usize, |set, i| set | 1 << i);
+            let (yielding, firm) = (self.dynamics.yielding(&place, &slopes.ways), slopes.ties.firm);
+            let mut found = 0_usize;
+            for i in (0..count).filter(|i| stuck >> i & 1 == 0) {
+                if share(&yielding, firm, i).is_some() {
+                    put(held.groups.as_mut_slice(), i, R::ONE);
+                    found |= 1 << i;
+                }
+            }
+            if found & !resting != 0 {
+                resting |= found;
+                continue;
+            }
+            // What a method leaves of the rates of what sticks is taken back, along the way of an impulse.
+            let mut rates = zeros();
+            model.strikes(time, &state.q, &state.v, &mut rates, &mut zeros(), &mut zeros());
             let off = core::array::from_fn(|i| at(rates.as_slice(), i));
-            let back = solved(&slopes.matrix, &off, 0, count, set).unwrap_or([R::ZERO; ROWS]);
+            let back = solved(&yielding, &off, 0, count, firm).unwrap_or([R::ZERO; ROWS]);
             for (along, way) in back.iter().zip(&slopes.ways) {
                 state.v.axpy(*along, way);
             }
-            // What they hold does not slide any more.
-            let slow = R::from_f64(SLOW) * still(state.v.as_slice());
-            model.strikes(time, &state.q, &state.v, &mut rates, &mut zeros(), &mut zeros());
-            let rests = |i: usize| !sticks::<R, _>(&held, i) && at(rates.as_slice(), i).abs() <= slow;
-            if !(0..count).any(rests) {
-                break (held, moved.forces);
-            }
+            break (held, moved.forces);
         };
         let before = &self.dynamics.held;
         let differs = |i: usize| {
@@ -340,6 +431,8 @@ where
                 }
                 // It ends where nothing balances it any more.
                 Some(None) if sticks::<R, _>(held, i) => -R::ONE,
+                // What others hold does so as long as they do.
+                _ if R::any(at(held.groups.as_slice(), i).greater(R::ZERO)) => R::ONE,
                 _ => at(held.ways.as_slice(), i) * at(rates.as_slice(), i),
             };
             put(guards.as_mut_slice(), i, guard);

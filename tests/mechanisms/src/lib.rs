@@ -16,6 +16,7 @@ pub mod zoo_cables;
 pub mod zoo_cams;
 pub mod zoo_contacts;
 pub mod zoo_curves;
+pub mod zoo_dry;
 pub mod zoo_friction;
 pub mod zoo_gates;
 pub mod zoo_gears;

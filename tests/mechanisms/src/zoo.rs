@@ -245,6 +245,8 @@ macro_rules! for_each_in_zoo {
             striking: $crate::zoo_gates::Striking,
             dropping: $crate::zoo_gates::Dropping,
             gripping: $crate::zoo_gates::Gripping,
+            braking: $crate::zoo_dry::Braking,
+            braking_in_space: $crate::zoo_dry::BrakingInSpace,
             remembering: $crate::zoo_memories::Remembering,
             yielding: $crate::zoo_penalties::Yielding,
             yielding_in_space: $crate::zoo_penalties::YieldingInSpace,
