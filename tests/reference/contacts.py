@@ -9,6 +9,7 @@ import math
 import casadi as ca
 
 import expressions
+import friction
 import penalties
 from expressions import entry, evaluate
 
@@ -43,9 +44,12 @@ def is_dry(load):
 
 
 def gates(definition):
-    """(contact or dry friction, which of the gaps) of each gate that is held within a step."""
+    """(contact or dry friction, which of the gaps) of each gate that is held within a step: those of joints, or of contacts."""
     all_contacts = definition.get("contacts", [])
     word = definition.get("options", {}).get("contact", "live")
+    sticking = [load for load in definition["loads"] if is_dry(load) and not find(definition, load["on"])]
+    if sticking:
+        return [(load["name"], 0) for load in sticking]
     if word != "held" and not any(is_rigid(contact) for contact in all_contacts):
         return []
     rubbing = [(load["name"], find(definition, load["on"])) for load in definition["loads"] if is_dry(load)]
@@ -167,8 +171,10 @@ class Contacts:
         return [self.gates[name, which] > 0.5 if self.gates else gap < 0 for which, gap in enumerate(gaps)]
 
     def slidings(self, name):
-        """Of a dry friction how fast the surfaces slide at each gap, along the normal turned clockwise."""
+        """Of a dry friction how fast the surfaces slide at each gap, along the normal turned clockwise, or in its joint."""
         load = next(load for load in self.definition["loads"] if load["name"] == name)
+        if not find(self.definition, load["on"]):
+            return [rate for group, _ in friction.slips(load, self.kinematics) for rate, _ in group]
         return [along_surface(velocity, normal) for velocity, normal in self.sliding(load["on"])]
 
     def restitutions(self, name):

@@ -103,6 +103,9 @@ def efforts(load, kinematics):
     """Rates w and what acts along them."""
     if contacts.find(kinematics.model.definition, load["on"]):
         return in_contact(load, kinematics)
+    if contacts.is_dry(load):
+        slidings = kinematics.contacts.slidings(load["name"])
+        return ca.vertcat(*slidings), kinematics.contacts.gates[load["name"], 0]
     pressed = normal(load, kinematics.model)
     rates, acting, deflections = [], [], iter(bristles.own(load, kinematics.model))
     for group, arm in slips(load, kinematics):

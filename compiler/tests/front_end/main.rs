@@ -7,6 +7,7 @@ mod contacts;
 mod coverage;
 mod curves;
 mod definitions;
+mod dry;
 mod files;
 mod flexible;
 mod gears;

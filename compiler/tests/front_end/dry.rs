@@ -1,0 +1,73 @@
+//! Dry friction in joints: what it holds and slides with where that is not written, and what is refused beside it.
+
+use crate::{bad, good};
+use linkwright_compiler::model::{Expr, Load};
+use std::fmt::Write;
+
+/// An arm on a pin, with these statements.
+fn arm(statements: &str) -> String {
+    format!(
+        "planar Arm {{ input grip [N*m]; rod arm {{ mass [kg] = 1; length [m] = 1; }} joint pin: revolute(ground(0, 0) [m], arm.start);
+         torque motor: torque(pin) = grip; {statements} }}"
+    )
+}
+
+const HOLDS: &str = "friction rub: on(pin) = dry(static = 0.5, radius [m] = 0.02);";
+
+#[track_caller]
+fn said(source: &str, text: &str) {
+    let found = bad(source).to_string();
+    assert!(found.contains(text), "{found}");
+}
+
+fn number(load: &Load, name: &str) -> Option<f64> {
+    match load.named(name) {
+        Expr::Number(value) => Some(*value),
+        _ => None,
+    }
+}
+
+#[test]
+fn what_is_not_written_is_as_the_other() {
+    let mechanism = good(&arm(HOLDS));
+    let load = mechanism.loads.iter().find(|load| load.sticks()).expect("it holds");
+    assert_eq!([number(load, "static"), number(load, "kinetic")], [Some(0.5); 2]);
+    assert!(mechanism.sticks() && mechanism.is_rigid() && mechanism.pressed_by().is_empty());
+    let mechanism = good(&arm("friction rub: on(pin) = dry(torque [N*m] = 3);"));
+    let load = mechanism.loads.iter().find(|load| load.sticks()).expect("it holds");
+    assert_eq!([number(load, "torque"), number(load, "breakaway")], [Some(3.0); 2]);
+    good(&arm("friction rub: on(pin) = dry(torque = 2*grip, breakaway [N*m] = 3);"));
+}
+
+#[test]
+fn what_is_not_there_yet_is_refused() {
+    let with = |statements: &str| arm(&format!("{HOLDS} {statements}"));
+    said(
+        &with("options { emit = (tangent); }"),
+        "derivatives of a motion do not follow the dry friction `rub` yet",
+    );
+    said(
+        &with("options { export_c = f64; }"),
+        "the functions in C take whole steps and do not find when `rub`",
+    );
+    said(
+        &with("options { contact = held; }"),
+        "held gates of contacts and the `dry` friction `rub` of a joint",
+    );
+    let memory = "memory m = 0; event e: every 1 [s] { m = 1; } output a = m;";
+    said(&with(memory), "memories such as `m` and the `dry` friction `rub` of a joint");
+    said(&with(memory), "`rub` is dry friction of a joint");
+    said(
+        &with("friction other: on(pin) = dry(static = 0.5, radius [m] = 0.02);"),
+        "`rub` is dry friction at `pin` already",
+    );
+    let mut many = String::new();
+    for i in 0..9 {
+        let _ = write!(
+            many,
+            "disk d{i} {{ mass [kg] = 1; radius [m] = 0.1; }} joint j{i}: revolute(ground({i}, 0) [m], d{i}.center); \
+             friction f{i}: on(j{i}) = dry(torque [N*m] = 1); "
+        );
+    }
+    said(&arm(&many), "all ways in which they may, of 8 joints at most: write `coulomb` or");
+}
