@@ -83,7 +83,7 @@ fn allocations_are_counted() {
 for_each!(nothing_allocates);
 for_each_with_tangent!(no_derivative_allocates);
 
-for_each!(every_way_is_sound);
+for_each!(in zoo, every_way_is_sound);
 
 /// Every formulation with every explicit integrator: steps, an event, accelerations, reactions and inverse dynamics neither allocate
 /// nor panic, and give finite numbers. Chosen at run time, so that a model is compiled three times for all of them. The implicit

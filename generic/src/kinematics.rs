@@ -44,6 +44,17 @@ pub(crate) struct Place {
     pub of_mean: bool,
 }
 
+impl Place {
+    /// In the axes of its body, or in the world at a time, m.
+    pub fn at(&self, time: f64) -> V3 {
+        let still = Scope { time, inputs: &[], states: &[], quantities: &[], rates: &[] };
+        match &self.moving {
+            Some(components) => [0, 1, 2].map(|k| components[k].evaluate(&still)),
+            None => self.local,
+        }
+    }
+}
+
 /// What a place does where no velocity changes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Point {

@@ -70,6 +70,7 @@ pub mod stick_slip;
 pub mod toothed_gears;
 pub mod tracked_vehicle;
 pub mod tree_pendulum;
+pub mod vehicle_on_pans;
 pub mod woodpecker;
 pub mod yaw_drive;
 
@@ -145,6 +146,7 @@ macro_rules! for_each_model {
             cam_lift_off: $crate::cam_lift_off::CamLiftOff,
             geared_shafts: $crate::geared_shafts::GearedShafts,
             tracked_vehicle: $crate::tracked_vehicle::TrackedVehicle,
+            vehicle_on_pans: $crate::vehicle_on_pans::VehicleOnPans,
             toothed_planetary_set: $crate::toothed_gears::ToothedPlanetarySet,
             planetary_stage_held: $crate::planetary_stage::PlanetaryStageHeld,
             planetary_stage: $crate::planetary_stage::PlanetaryStage,

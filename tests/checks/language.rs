@@ -219,3 +219,51 @@ mod awkward {
         );
     }
 }
+
+/// A line of the ground that moves and does not turn.
+mod moving_line {
+    macro_rules! on_a_line {
+        ($name:ident, $coordinates:ident) => {
+            ::linkwright::mechanism! {
+                pub planar $name {
+                    gravity [m/s^2] = (0, -9.81);
+                    signal lift [m] = 0.1 [m]*sin(3 [rad/s]*time);
+                    line ramp = (ground(0 [m], lift), ground(0.8 [m], lift + 0.6 [m]));
+                    particle bead { mass [kg] = 2; }
+                    joint ride: point_on_line(ramp, bead.center);
+                    start { ride.travel [m] = 0.3; ride.speed [m/s] = 0; }
+                    options { coordinates = $coordinates; }
+                    output travel [m] = ride.travel;
+                    output pressed [N] = ride.reaction.normal;
+                }
+            }
+        };
+    }
+    on_a_line!(Carried, tree);
+    on_a_line!(Tied, absolute);
+}
+
+/// Along a line that rises by 3 in 5: s̈ = −(g + ÿ) 3/5, N = m (g + ÿ) 4/5.
+#[test]
+fn a_bead_slides_on_a_line_that_moves() {
+    fn ends<M: linkwright::Report<f64> + linkwright::Assemble<f64, Inputs: Fields<f64>>>(
+        model: &M,
+    ) -> [f64; 2]
+    where
+        M::Outputs: Fields<f64>,
+    {
+        let mut simulation = Simulation::new(model, model.start()).step(1e-3);
+        simulation.run_until(0.5, |_| ()).expect("it slides");
+        let found = simulation.sample().outputs.to_array();
+        [0, 1].map(|k| linkwright::Vector::as_slice(&found)[k])
+    }
+    let (t, g, w) = (0.5_f64, 9.81, 3.0_f64);
+    let lift = 0.1 * (w * t).sin();
+    // It begins at rest along the line: ṡ = −3/5 (g t + ẏ − ẏ₀).
+    let travel = 0.3 - 0.6 * (0.5 * g * t * t + lift - 0.1 * w * t);
+    let pressed = 2.0 * 0.8 * (g - w * w * lift);
+    for found in [ends(&moving_line::Carried::<f64>::default()), ends(&moving_line::Tied::<f64>::default())] {
+        assert!((found[0] - travel).abs() < 1e-9, "{found:?} {travel}");
+        assert!((found[1].abs() - pressed).abs() < 1e-6, "{found:?} {pressed}");
+    }
+}

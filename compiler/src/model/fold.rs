@@ -28,9 +28,37 @@ pub(crate) fn binary(function: Function2, x: Expr, y: Expr) -> Expr {
     }
 }
 
-/// From one point to another.
+/// From one point to another. What varies and both have in common is not in it.
 pub(crate) fn between(from: &Vector, to: &Vector) -> Vector {
-    [0, 1, 2].map(|axis| binary(Function2::Sub, to[axis].clone(), from[axis].clone()))
+    [0, 1, 2].map(|axis| {
+        let [from, to] = [from, to].map(|point| &point[axis]);
+        if !(from.varies() && to.varies()) {
+            return binary(Function2::Sub, to.clone(), from.clone());
+        }
+        let mut left = addends(to, false);
+        for (part, is_negative) in addends(from, true) {
+            match left.iter().position(|(other, sign)| *other == part && *sign != is_negative) {
+                Some(common) => drop(left.swap_remove(common)),
+                None => left.push((part, is_negative)),
+            }
+        }
+        left.into_iter().fold(Expr::Number(0.0), |sum, (part, is_negative)| {
+            binary(if is_negative { Function2::Sub } else { Function2::Add }, sum, part.clone())
+        })
+    })
+}
+
+/// What a sum is of, each with whether it is taken away.
+fn addends(sum: &Expr, is_negative: bool) -> Vec<(&Expr, bool)> {
+    match sum {
+        Expr::Unary(Function1::Neg, x) => addends(x, !is_negative),
+        Expr::Binary(function @ (Function2::Add | Function2::Sub), x, y) => {
+            let mut found = addends(x, is_negative);
+            found.extend(addends(y, is_negative != (*function == Function2::Sub)));
+            found
+        }
+        _ => vec![(sum, is_negative)],
+    }
 }
 
 /// A constant power.

@@ -173,10 +173,15 @@ impl<'d> Lowering<'d> {
         }
     }
 
-    /// Both ends of a line and what they belong to. Directions are constant, so the ground's must not move.
+    /// Both ends of a line and what they belong to. Directions are constant, so that those of the ground may move together only.
     pub fn line_ends(&mut self, from: &PlaceTerm, to: &PlaceTerm) -> Option<(Frame, [Vector; 2])> {
-        let (first, second) = (self.place_of(from, Use::DIRECTION), self.place_of(to, Use::DIRECTION));
+        let (first, second) = (self.place(from), self.place(to));
         let (first, second) = (first?, second?);
+        if fold::between(&first.at, &second.at).iter().any(Expr::varies) {
+            // What they depend on is what the message names.
+            let (first, second) = (self.place_of(from, Use::DIRECTION), self.place_of(to, Use::DIRECTION));
+            first.and(second)?;
+        }
         if first.frame != second.frame {
             let region = from.region().to(to.region());
             self.diagnostics.error(region, messages::line_between_bodies(&first.text, &second.text));

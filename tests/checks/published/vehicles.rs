@@ -6,6 +6,7 @@ use linkwright::{
 };
 use linkwright_models::rear_wheel::{RearWheel, RearWheelParameters};
 use linkwright_models::tracked_vehicle::{TrackedVehicle, TrackedVehicleOutputs, TrackedVehicleParameters};
+use linkwright_models::vehicle_on_pans::{VehicleOnPans, VehicleOnPansOutputs, VehicleOnPansParameters};
 
 fn shaken(shake: f64, pitch: f64, frequency: f64) -> TrackedVehicle {
     let parameters = TrackedVehicleParameters { shake, pitch, frequency, ..Default::default() };
@@ -184,6 +185,76 @@ fn a_tracked_vehicle_is_shaken() {
     }
     worst.below(1e-8, "tracked vehicle, states after shaking");
     peaks.below(1e-7, "tracked vehicle, half of the way from peak to peak");
+}
+
+/// What wheels press on their pans.
+fn pressed(found: &VehicleOnPansOutputs<f64>) -> [f64; 6] {
+    let VehicleOnPansOutputs {
+        station_0_load,
+        station_1_load,
+        station_2_load,
+        station_3_load,
+        station_4_load,
+        station_5_load,
+        ..
+    } = *found;
+    [station_0_load, station_1_load, station_2_load, station_3_load, station_4_load, station_5_load]
+}
+
+/// Posts at rest bear the weight, none of it by their stops, as those of the vehicle that is tied to them do.
+#[test]
+fn a_vehicle_stands_on_pans() {
+    let parameters = VehicleOnPansParameters { shake: 0.0, ..Default::default() };
+    let model = VehicleOnPans::prepare(parameters).expect("within its bounds");
+    let mut simulation = Simulation::new(&model, VehicleOnPans::START).step(1e-3);
+    simulation.run_until(20.0, |_| ()).expect("it stands");
+    let found = simulation.sample().outputs;
+    let weight: f64 = pressed(&found).into_iter().sum();
+    assert!((weight - 11_200.0 * 9.81).abs() < 1e-3, "{weight}");
+    let VehicleOnPansOutputs { stops_0_load, stops_2_load, stops_3_load, stops_5_load, .. } = found;
+    assert_eq!([stops_0_load, stops_2_load, stops_3_load, stops_5_load], [0.0; 4]);
+    let tied = shaken(0.0, 0.0, 1.0);
+    let tied = loads(&tied.outputs(0.0, &standing(&tied), &()));
+    for (found, tied) in pressed(&found).into_iter().zip(tied) {
+        // Pans that yield by 10 mm pitch it by 2e-5 rad more.
+        assert!((found - tied).abs() < 0.01 * tied, "{found} {tied}");
+    }
+}
+
+/// Two methods agree on the way of a shaken vehicle whose wheels climb their stops, off their pans meanwhile, as those between no stops never are;
+/// arms swing by some 20 degrees to both sides of where they hang at rest, as the source has them.
+#[test]
+fn wheels_climb_the_stops_of_their_pans() {
+    let model = VehicleOnPans::prepare(VehicleOnPansParameters::default()).expect("within its bounds");
+    let mut simulation = Simulation::new(&model, VehicleOnPans::START).step(2.5e-4);
+    let (mut climbed, mut least, mut most) = ([0; 2], f64::INFINITY, f64::NEG_INFINITY);
+    simulation
+        .run_until(8.0, |sample| {
+            let [first, second, _, _, fifth, _] = pressed(&sample.outputs);
+            let VehicleOnPansOutputs { stops_0_load, station_0_angle, .. } = sample.outputs;
+            climbed[0] += u32::from(first == 0.0 && stops_0_load > 0.0);
+            climbed[1] += u32::from(second == 0.0 || fifth == 0.0);
+            if sample.time > 2.0 {
+                (least, most) = (least.min(station_0_angle), most.max(station_0_angle));
+            }
+        })
+        .expect("it moves");
+    assert!(climbed[0] > 1000 && climbed[1] == 0, "{climbed:?}");
+    let degrees = [least, most].map(|angle| (angle - 0.569_f64).abs().to_degrees());
+    assert!(degrees.iter().all(|degrees| (11.0..25.0).contains(degrees)), "{degrees:?}");
+    let mut other = Simulation::new(&model, VehicleOnPans::START)
+        .integrator(DormandPrince::tolerance(1e-9))
+        .step(1.0 / 256.0);
+    other.run_until(1.0, |_| ()).expect("it moves");
+    other.run_until(8.0, |_| ()).expect("it moves");
+    let mut worst = Worst::default();
+    for outputs in [simulation.sample().outputs, other.sample().outputs] {
+        worst.see(outputs.heave, 1.032_122_49);
+        worst.see(outputs.pitch, 1.349_04e-3);
+        worst.see(outputs.station_0_angle, 0.758_348_87);
+        worst.see(outputs.station_3_angle, 0.748_822_90);
+    }
+    worst.below(1e-7, "vehicle on pans after 8 s");
 }
 
 /// A of steady running, row by row, and the force on the wheel.

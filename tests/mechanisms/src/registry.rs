@@ -123,14 +123,18 @@ macro_rules! implement {
 }
 linkwright_models::for_each_model!(implement);
 
-/// A test of the function `check::<M>` for each model `M`, shipped or of the zoo, in a module of that function's name.
+/// A test of the function `check::<M>` for each model `M`, shipped or of the zoo, in a module of that function's name; `in zoo` for those
+/// of the zoo alone, which have every element: what is compiled many times for each mechanism is asked of these.
 #[macro_export]
 macro_rules! for_each {
     ($check:ident) => {
-        $crate::registry::for_each! { @ ($) $check }
+        $crate::registry::for_each! { @ ($) $check, linkwright_models::for_each_model, $crate::zoo::for_each_in_zoo }
+    };
+    (in zoo, $check:ident) => {
+        $crate::registry::for_each! { @ ($) $check, $crate::zoo::for_each_in_zoo }
     };
     // The dollar is handed in, because a macro cannot write the variables of the macro it defines.
-    (@ ($dollar:tt) $check:ident) => {
+    (@ ($dollar:tt) $check:ident $(, $list:path)*) => {
         mod $check {
             macro_rules! tests {
                 ($dollar($dollar name:ident: $dollar model:path),* $dollar(,)?) => {
@@ -142,8 +146,7 @@ macro_rules! for_each {
                     )*
                 };
             }
-            linkwright_models::for_each_model!(tests);
-            $crate::zoo::for_each_in_zoo!(tests);
+            $($list!(tests);)*
         }
     };
 }
