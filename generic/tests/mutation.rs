@@ -6,13 +6,13 @@
 
 mod mapping;
 
-use linkwright::{AssembleExt, Fields, State, StateOf, Vector, project_position, project_velocity, retract};
+use linkwright::{Fields, StateOf, Vector};
 use linkwright_compiler::functions::Argument;
 use linkwright_compiler::schedule::{Function, Source, outputs, sources};
 use linkwright_compiler::symbolic::{Node, Op, Unary, evaluate_with};
 use linkwright_compiler::{Compiled, compile};
 use linkwright_generic::Mechanism;
-use mapping::states::{Random, states};
+use mapping::states::{Random, scattered, states};
 use mapping::truth::{At, Truth};
 use mechanisms::mutants::{self, Mutant};
 use mechanisms::registry::Model;
@@ -63,7 +63,7 @@ impl<'a, M: Model> Judge<'a, M> {
             let values: Vec<f64> = M::Inputs::NAMES.iter().map(|_| random.unit()).collect();
             let mut angles = vec![0.0; generic.bodies().count()];
             let along = if seed == 0 { states(name, model, &values, MOMENTS, &mut random) } else { vec![] };
-            let scattered = (0..MOMENTS).filter_map(|_| scattered(model, &mut random));
+            let scattered = (0..MOMENTS).filter_map(|_| scattered(model, SPREAD, &mut random));
             for (time, state) in along.into_iter().chain(scattered) {
                 let before = angles.clone();
                 let motions = mapping::bodies(model, time, &state, &model.zero_v(), &mut angles);
@@ -198,24 +198,6 @@ impl<'a, M: Model> Judge<'a, M> {
         let users: Vec<String> = users.map(|op| format!("{op:?}")).collect();
         format!("{}, used by {}", mutants::describe(&graph, node), users.join("; "))
     }
-}
-
-/// A state away from the start: another position that closes, a velocity that belongs to it, and other internal states.
-fn scattered<M: Model>(model: &M, random: &mut Random) -> Option<(f64, StateOf<M>)> {
-    let start = model.start();
-    let mut shift = model.zero_v();
-    let spread = SPREAD * random.unit();
-    shift.as_mut_slice().iter_mut().for_each(|x| *x = spread * random.unit());
-    let mut q = start.q;
-    retract(model.layout(), &start.q, &shift, &mut q);
-    let q = project_position(model, 0.0, &q).ok()?;
-    let mut wish = model.zero_v();
-    wish.as_mut_slice().iter_mut().for_each(|v| *v = random.unit());
-    let v = project_velocity(model, 0.0, &q, &wish).ok()?;
-    let mut z = start.z;
-    z.as_mut_slice().iter_mut().for_each(|z| *z *= 1.0 + 0.5 * random.unit());
-    let state = State { q, v, z, ..start };
-    Some((0.0, State { gates: model.live_gates(0.0, &state), ..state }))
 }
 
 fn every_mutant_is_caught<M: Model>(name: &str, texts: [&str; 2], seeds: u64) {

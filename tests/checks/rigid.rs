@@ -160,6 +160,43 @@ fn a_ball_bounces_and_rests() {
     close(lost, 9.81, 1e-9, "lost");
 }
 
+mod resting {
+    linkwright::mechanism! {
+        /// As `Bouncing`, but what would part with less than 1 m/s stays.
+        pub(super) planar Resting {
+            gravity [m/s^2] = (0, -9.81);
+            particle ball { mass [kg] = 1; }
+            surface below: point(ball.center);
+            surface floor: half_plane(line(ground(0, 0) [m], ground(1, 0) [m]));
+            contact stop: between(below, floor) = rigid(restitution = 0.8, rest [m/s] = 1);
+            start { ball.center.x [m] = 0; ball.center.y [m] = 1; }
+            output force [N] = stop.force;
+        }
+    }
+}
+
+/// It parts with 0.8ⁿ √(2 g h) six times; the seventh would be 0.93 m/s.
+#[test]
+fn what_would_part_slowly_rests() {
+    let model = resting::Resting::<f64>::default();
+    let mut simulation = Simulation::new(&model, model.start()).step(1e-3);
+    let fall = (2.0_f64 / 9.81).sqrt();
+    let at_rest = fall + (1..=6).map(|n| 2.0 * 0.8_f64.powi(n) * fall).sum::<f64>();
+    simulation.advance_until(at_rest - 1e-6).expect("it moves");
+    assert_eq!(simulation.state().gates, [0.0]);
+    let step = simulation.advance_until(at_rest + 1e-6).map(|_| simulation.state().clone()).expect("it moves");
+    assert_eq!((step.q[1], step.v[1]), (0.0, 0.0));
+    assert!((simulation.sample().outputs.force - 9.81).abs() < 1e-12);
+    let (mut impacts, mut rested, mut lost) = (0, 0, 0.0);
+    let mut simulation = Simulation::new(&model, model.start()).step(1e-3);
+    while simulation.time() < at_rest + 0.1 {
+        let step = simulation.advance().expect("it moves");
+        (impacts, rested, lost) = (impacts + step.impacts, rested + step.rested, lost + step.lost);
+    }
+    assert_eq!((impacts, rested), (7, 1));
+    close(lost, 9.81, 1e-9, "lost");
+}
+
 /// Samples at even times, before, between and after touches.
 #[test]
 fn dense_output_ends_at_a_touch() {

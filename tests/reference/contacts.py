@@ -179,7 +179,11 @@ class Contacts:
 
     def restitutions(self, name):
         law = find(self.definition, name)["law"]
-        return [entry(law["restitution"], self.model)] * len(self.gaps(name)[0])
+        share = entry(law["restitution"], self.model)
+        if not law.get("rest"):
+            return [share] * len(self.gaps(name)[0])
+        rest = entry(law["rest"], self.model)
+        return [ca.if_else(share * self.kinematics.rate(gap) > -rest, 0, share) for gap in self.gaps(name)[0]]
 
     def quantity(self, name, what):
         gaps, points = self.gaps(name)

@@ -70,7 +70,7 @@ pub fn contacts(
             mechanism.loads.iter().any(|load| load.form.rubs && !load.form.holds)
                 || !equations.friction.is_none()
         };
-        if load.restitution.is_some() && rubs() {
+        if !load.restitutions.is_empty() && rubs() {
             said = Some(name);
             errors.error(at, messages::rigid_with_friction(name));
             continue;
@@ -83,7 +83,7 @@ pub fn contacts(
             continue;
         }
         let gap = point.get(jet.value);
-        if load.restitution.is_some() {
+        if !load.restitutions.is_empty() {
             let moved = jet.columns.iter().map(|(column, node)| point.get(*node) * assembly.v[*column]);
             let rate = point.get(jet.drift) + moved.sum::<f64>();
             if gap < -ROUNDING {

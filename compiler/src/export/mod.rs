@@ -59,7 +59,7 @@ pub fn refused(compiled: &Compiled) -> Option<Diagnostics> {
         found.error(dry.name.span, messages::dry_in_c(&dry.name.text));
         return Some(found);
     }
-    match (mechanism.loads.iter().find(|load| load.restitution.is_some()), mechanism.options.held_at) {
+    match (mechanism.loads.iter().find(|load| !load.restitutions.is_empty()), mechanism.options.held_at) {
         (Some(rigid), _) => found.error(rigid.name.span, messages::rigid_in_c(&rigid.name.text)),
         (None, at) => found.error(at?, messages::held_in_c()),
     }

@@ -155,6 +155,7 @@ const RADIUS_IF: Argument = Argument::scalar("radius", Need::Never, Dimension::L
 
 const DISSIPATION: Argument = Argument::of("dissipation", Need::Never, Value::OfGap);
 const RESTITUTION: Argument = Argument::scalar("restitution", Need::Never, Dimension::ONE);
+const REST: Argument = Argument::of("rest", Need::Never, Value::OfGap);
 const SPEED: Argument = Argument::of("speed", Need::Never, Value::OfGap);
 const DAMPING: Argument = Argument::of("damping", Need::Never, Value::Word);
 
@@ -210,7 +211,7 @@ pub static CONTACT_LAWS: &[ContactLawForm] = &[
         force: "K d^1.5 max(0, 1 + b ḋ), K by moduli and radii",
     },
     ContactLawForm {
-        call: Form { word: "rigid", elsewhere: &[], positional: &[], named: &[RESTITUTION] },
+        call: Form { word: "rigid", elsewhere: &[], positional: &[], named: &[RESTITUTION, REST] },
         kind: ContactLaw::Rigid,
         force: "what keeps the gap from closing further: an impulse at a touch, a force at rest",
     },

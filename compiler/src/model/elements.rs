@@ -176,8 +176,8 @@ pub struct Load {
     pub slides: Vec<Sliding>,
     /// Of a contact whose gates are held: what its law says along each of its gaps, pulls included.
     pub ungated: Vec<Expr>,
-    /// Of a rigid contact: the share of the speed of approach with which it parts.
-    pub restitution: Option<Expr>,
+    /// Of a rigid contact: at each of its gaps the share of the speed of approach with which it parts.
+    pub restitutions: Vec<Expr>,
     /// Its internal states, among those of the mechanism.
     pub states: Range<usize>,
     /// Of a load between teeth: the pair, and what its stiffness is made of.

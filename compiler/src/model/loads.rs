@@ -42,7 +42,7 @@ impl<'d> Lowering<'d> {
             normal: None,
             slides: Vec::new(),
             ungated,
-            restitution: None,
+            restitutions: Vec::new(),
         })
     }
 

@@ -186,7 +186,7 @@ impl Mechanism {
 
     /// Whether gates are forces, which the run finds: of rigid contacts, or of dry friction in joints.
     pub fn is_rigid(&self) -> bool {
-        self.loads.iter().any(|load| load.restitution.is_some()) || self.sticks()
+        self.loads.iter().any(|load| !load.restitutions.is_empty()) || self.sticks()
     }
 
     /// Whether gates are those of dry friction in joints: all are, or none.

@@ -1,8 +1,10 @@
-//! States of emitted models along their motion, and with other velocities there.
+//! States of emitted models along their motion, with other velocities there, and away from it.
 
 use linkwright::{
-    Assemble, AssembleExt, Baumgarte, Fields, Report, Simulation, State, StateOf, Vector, project_velocity,
+    Assemble, AssembleExt, Baumgarte, Fields, Report, Simulation, State, StateOf, Vector, coordinate_values,
+    project_position, project_velocity, retract,
 };
+use std::f64::consts::PI;
 
 /// Seconds between states along the motion.
 const APART: f64 = 0.004;
@@ -57,4 +59,29 @@ where
         found.extend(std::iter::once(along).chain(other).map(|state| (time, state)));
     }
     found
+}
+
+/// A state away from the start: another position that closes, moved by so much at most (m and rad), a velocity that belongs to it, and other
+/// internal states. Nothing where an angle passes half a turn: a body's orientation does not say how often it has turned.
+pub fn scattered<M: Assemble<f64>>(model: &M, spread: f64, random: &mut Random) -> Option<(f64, StateOf<M>)> {
+    let start = model.start();
+    let mut shift = model.zero_v();
+    let spread = spread * random.unit();
+    shift.as_mut_slice().iter_mut().for_each(|x| *x = spread * random.unit());
+    let mut q = start.q.clone();
+    retract(model.layout(), &start.q, &shift, &mut q);
+    let q = project_position(model, 0.0, &q).ok()?;
+    let mut wish = model.zero_v();
+    wish.as_mut_slice().iter_mut().for_each(|v| *v = random.unit());
+    let v = project_velocity(model, 0.0, &q, &wish).ok()?;
+    let mut z = start.z.clone();
+    z.as_mut_slice().iter_mut().for_each(|z| *z *= 1.0 + 0.5 * random.unit());
+    let counted = coordinate_values(model, 0.0, &q);
+    let is_within = counted
+        .as_slice()
+        .iter()
+        .zip(model.conditions())
+        .all(|(value, condition)| condition.kind != linkwright::ConditionKind::Angle || value.abs() < PI);
+    let state = State { q, v, z, ..start };
+    is_within.then(|| (0.0, State { gates: model.live_gates(0.0, &state), ..state }))
 }

@@ -65,13 +65,11 @@ pub fn strikes(laws: &Laws) -> Vec<[Node; 3]> {
                 .map(|[rate, bias]| [rate, bias, zero])
                 .collect();
         }
-        let Some(restitution) = &load.restitution else { return Vec::new() };
-        let restitution = laws.value(restitution).bare;
-        let each = |gap| {
-            let gap = laws.jet(gap);
-            [gap.rate().bare, gap.bias().bare, restitution]
+        let each = |(gap, restitution)| {
+            let (gap, restitution) = (laws.jet(gap), laws.value(restitution));
+            [gap.rate().bare, gap.bias().bare, restitution.bare]
         };
-        load.along().map(each).collect()
+        load.along().zip(&load.restitutions).map(each).collect()
     };
     laws.mechanism.loads.iter().flat_map(of).collect()
 }

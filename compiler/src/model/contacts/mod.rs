@@ -55,7 +55,7 @@ struct Forces {
     /// Of a named law: K and n of its elastic part K dⁿ, and the impact speed that it is meant for.
     elastic: Option<[Expr; 3]>,
     /// Of a rigid one.
-    restitution: Option<Expr>,
+    restitutions: Vec<Expr>,
 }
 
 /// What touches.
@@ -94,7 +94,7 @@ impl<'d> Lowering<'d> {
         let definition = self.definition;
         let index = definition.contacts.iter().position(|it| std::ptr::eq(it, contact))?;
         let geometry = self.geometry(index)?;
-        let Forces { along: law, ungated, elastic, restitution } = self.forces(index)?;
+        let Forces { along: law, ungated, elastic, restitutions } = self.forces(index)?;
         let on = geometry.meetings.into_iter().map(|it| Subject::Expression(it.gap, geometry.dimension));
         let values = elastic.into_iter().flatten().map(|value| vec![value]).collect();
         let (name, form) = (name(&contact.name), contact.form);
@@ -110,7 +110,7 @@ impl<'d> Lowering<'d> {
             normal: None,
             slides,
             ungated,
-            restitution,
+            restitutions,
         })
     }
 
@@ -311,7 +311,7 @@ impl<'d> Lowering<'d> {
                 return self.rigid(index, &geometry);
             }
             let mut forces =
-                Forces { along: Vec::new(), ungated: Vec::new(), elastic: None, restitution: None };
+                Forces { along: Vec::new(), ungated: Vec::new(), elastic: None, restitutions: Vec::new() };
             for (which, meeting) in geometry.meetings.iter().enumerate() {
                 self.contacts.law_of = Some((index, which));
                 let law = match &contact.law {

@@ -3,11 +3,11 @@
 //! Their force is the number that a gate otherwise is, along the gap: zero where they are open. What it is follows in the run from all
 //! that touches (`simulation/rigid.rs` of the runtime).
 
-use super::{Forces, Geometry};
+use super::{Forces, Geometry, closing, product};
 use crate::forms::ContactLaw;
 use crate::messages;
 use crate::model::lower::{Lowering, Use};
-use crate::model::{Expr, fold};
+use crate::model::{Comparison, Condition, Expr, fold};
 use crate::syntax::{self, ContactLawTerm, OptionEntry};
 use crate::units::Dimension;
 
@@ -17,7 +17,7 @@ pub(super) fn is_rigid(contact: &syntax::Contact) -> bool {
 }
 
 impl<'d> Lowering<'d> {
-    /// What a rigid contact exerts along each of its gaps, and its restitution, within 0 to 1.
+    /// What a rigid contact exerts along each of its gaps, and its restitution, within 0 to 1; none where it would part more slowly than `rest`.
     pub(super) fn rigid(&mut self, index: usize, geometry: &Geometry) -> Option<Forces> {
         let definition = self.definition;
         let contact = &definition.contacts[index];
@@ -31,13 +31,26 @@ impl<'d> Lowering<'d> {
             self.diagnostics.error(entry.value.region, messages::restitution_out_of_range(e));
             return None;
         }
+        let rest = match named.entry("rest") {
+            None => None,
+            Some(_) => Some(self.positive(named, "rest", geometry.dimension.over(Dimension::TIME))?),
+        };
+        let of = |gap: &Expr| match &rest {
+            None => restitution.clone(),
+            Some(rest) => {
+                let parts = product(restitution.clone(), closing(gap));
+                let rests = Condition::Compare(Comparison::Less, parts, rest.clone());
+                Expr::If(Box::new(rests), Box::new(Expr::Number(0.0)), Box::new(restitution.clone()))
+            }
+        };
+        let restitutions = geometry.meetings.iter().map(|meeting| of(&meeting.gap)).collect();
         let load = self.load_of_contact(index);
         let gaps = 0..geometry.meetings.len();
         Some(Forces {
             along: gaps.clone().map(|which| Expr::Gate(load, which)).collect(),
             ungated: gaps.map(|_| Expr::Number(0.0)).collect(),
             elastic: None,
-            restitution: Some(restitution),
+            restitutions,
         })
     }
 

@@ -1,0 +1,13 @@
+//! It would never rest.
+
+linkwright::mechanism! {
+    planar Bench {
+        gravity [m/s^2] = (0, -9.81);
+        disk ball { mass [kg] = 1; radius [m] = 0.1; }
+        surface floor: half_plane(line(ground(0, 0) [m], ground(1, 0) [m]));
+        contact touch: between(ball.surface, floor) = rigid(restitution = 0.5, rest [m/s] = -0.1);
+        start { ball.center.x [m] = 0; ball.center.y [m] = 1; ball.angle [rad] = 0; }
+    }
+}
+
+fn main() {}
