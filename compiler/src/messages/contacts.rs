@@ -293,6 +293,14 @@ pub(crate) fn contact_pulls(what: &str, found: f64) -> String {
     format!("a contact pushes: its `{what}` cannot be {}", number(found))
 }
 
+pub(crate) fn rest_not_positive(found: f64) -> String {
+    format!(
+        "what would part more slowly than `rest` does not bounce: it is a speed above zero, found {}; leave it out, and what bounces ever less \
+         rests where no flight is left",
+        number(found)
+    )
+}
+
 pub(crate) fn rigid_without_restitution() -> String {
     "a rigid contact parts with a share of the speed with which it meets: write `restitution = 0.5`; say `restitution = 0` if it does not \
      bounce"

@@ -218,7 +218,7 @@ impl<'d> Lowering<'d> {
         Some((quotient(Expr::Number(damping.number(e)), v.clone()), Some(v)))
     }
 
-    pub(super) fn positive(&mut self, named: &'d Named, what: &str, dimension: Dimension) -> Option<Expr> {
+    fn positive(&mut self, named: &'d Named, what: &str, dimension: Dimension) -> Option<Expr> {
         self.sized(named, what, dimension, |found| found > 0.0)
     }
 

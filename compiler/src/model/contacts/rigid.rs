@@ -8,7 +8,7 @@ use crate::forms::ContactLaw;
 use crate::messages;
 use crate::model::lower::{Lowering, Use};
 use crate::model::{Comparison, Condition, Expr, fold};
-use crate::syntax::{self, ContactLawTerm, OptionEntry};
+use crate::syntax::{self, ContactLawTerm, Entry, OptionEntry};
 use crate::units::Dimension;
 
 /// Whether `rigid(…)` is its law.
@@ -33,7 +33,7 @@ impl<'d> Lowering<'d> {
         }
         let rest = match named.entry("rest") {
             None => None,
-            Some(_) => Some(self.positive(named, "rest", geometry.dimension.over(Dimension::TIME))?),
+            Some(entry) => Some(self.rest(entry, geometry.dimension.over(Dimension::TIME))?),
         };
         let of = |gap: &Expr| match &rest {
             None => restitution.clone(),
@@ -52,6 +52,16 @@ impl<'d> Lowering<'d> {
             elastic: None,
             restitutions,
         })
+    }
+
+    /// The speed of parting below which there is none.
+    fn rest(&mut self, entry: &'d Entry, speed: Dimension) -> Option<Expr> {
+        let rest = self.entry(entry, speed, Use::COEFFICIENT, "rest")?;
+        if let Some(found) = fold::evaluate(&rest, self.defaults()).filter(|found| *found <= 0.0) {
+            self.diagnostics.error(entry.value.region, messages::rest_not_positive(found));
+            return None;
+        }
+        Some(rest)
     }
 
     pub(in crate::model) fn is_rigid_contact(&self, index: usize) -> bool {
