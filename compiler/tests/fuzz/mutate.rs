@@ -259,7 +259,7 @@ fn swap_names(random: &mut Random, tokens: &mut Vec<String>, _: &[String]) {
 }
 
 /// Words that may stand in one another's place.
-const CLASSES: [&str; 13] = [
+const CLASSES: [&str; 14] = [
     "body rod disk box sphere cylinder particle beam flexible",
     "revolute prismatic fixed distance spherical universal cylindrical planar screw constant_velocity point_on_line \
      point_on_plane cam point_on_curve",
@@ -271,6 +271,7 @@ const CLASSES: [&str; 13] = [
     "teeth starts cone diameter module shift helix addendum dedendum first bore face_width pressure_angle",
     "mesh shaft",
     "memory state param const",
+    "static kinetic breakaway torque force preload restitution rest",
     "rises falls crosses every",
     "force torque spring damper torsion_spring",
     "mass inertia length radius width height density center size point marker",
