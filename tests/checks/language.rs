@@ -246,12 +246,7 @@ mod moving_line {
 /// Along a line that rises by 3 in 5: s̈ = −(g + ÿ) 3/5, N = m (g + ÿ) 4/5.
 #[test]
 fn a_bead_slides_on_a_line_that_moves() {
-    fn ends<M: linkwright::Report<f64> + linkwright::Assemble<f64, Inputs: Fields<f64>>>(
-        model: &M,
-    ) -> [f64; 2]
-    where
-        M::Outputs: Fields<f64>,
-    {
+    fn ends<M: linkwright::Assemble<f64, Inputs = (), Outputs: Fields<f64>>>(model: &M) -> [f64; 2] {
         let mut simulation = Simulation::new(model, model.start()).step(1e-3);
         simulation.run_until(0.5, |_| ()).expect("it slides");
         let found = simulation.sample().outputs.to_array();

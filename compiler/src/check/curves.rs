@@ -30,8 +30,8 @@ pub fn standing(mechanism: &Mechanism, equations: &Equations, assembly: &Assembl
         let mut point = Point::at_start(mechanism, equations, assembly);
         point.evaluate(&Ancestry::of(equations, tangent.into_iter().chain([parameter])));
         let [x, y] = tangent.map(|node| point.get(node));
-        // A NaN is none, too.
-        if !(x.abs().max(y.abs()) > STANDS) {
+        let moves = x.abs() > STANDS || y.abs() > STANDS;
+        if !moves {
             errors.error(joint.name.span, messages::curve_stands(&joint.name.text, point.get(parameter)));
         }
     }

@@ -20,7 +20,7 @@ use crate::input::InputSource;
 use crate::integrator::Method;
 use crate::mechanism::{Assemble, Mechanism};
 use crate::real::Real;
-use crate::state::{State, StateOf};
+use crate::state::{State, StateOf, Variables};
 use crate::vector::{Vector, at, dot, put};
 
 /// The most passes of Newton's method.
@@ -53,6 +53,9 @@ struct Moved<R: Real, M: Mechanism<R>> {
     holding: M::Gates,
     sliding: M::Gates,
 }
+
+/// Which stick and which slide where, and what follows from it.
+type Way<R, M> = (Held<<M as Variables<R>>::Gates>, Moved<R, M>);
 
 /// How what is left of the equations changes with each force, and the accelerations do.
 struct Slopes<R, V> {
@@ -287,7 +290,7 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
     }
 
     /// Which stick and which slide, and their forces: of what has a speed and does not rest that is known; all else may do either.
-    fn sought(&self, place: &Place<'_, R, M>, resting: usize) -> Option<(Held<M::Gates>, Moved<R, M>)> {
+    fn sought(&self, place: &Place<'_, R, M>, resting: usize) -> Option<Way<R, M>> {
         let (model, State { q, v, .. }) = (self.model, place.state);
         let (count, zeros) = (count(model), || M::Gates::zeros(model.gate_names().len()));
         let mut rates = zeros();
