@@ -6,7 +6,7 @@
 //! the wheel at rest, so that it touches after 45 mm; wheels press by F = 18 kN (d/10 mm)^1.5 (1 + 1 s/m ḋ) (Hunt and Crossley); the arms
 //! end at 0 and 60 degrees under the horizontal by M = 10 kN m (φ/2°)^1.5 (1 + 1 s/rad φ̇). Pans are smooth, so that no wheel turns.
 //! No numbers are published. Expected, of our own, which RK4 in steps of 0.25 ms and an adaptive method agree on: the state behind 8 s of 70 mm at 1.2 Hz
-//! (hull at 0.0792308 m and 1.0321225 m, pitch 1.34904e-3 rad); arms swing by some 20 degrees to both sides, as in the source.
+//! (hull at 0.0792308 m and 1.0321225 m, pitch 1.34904e-3 rad); the first arm swings by 25 degrees up and 13 down, some 20 in the source.
 
 linkwright::mechanism! {
     /// Half of a tracked vehicle whose wheels may leave six shaken pans and climb their stops.
