@@ -1,8 +1,8 @@
 //! States of emitted models along their motion, with other velocities there, and away from it.
 
 use linkwright::{
-    Assemble, AssembleExt, Baumgarte, Fields, Report, Simulation, State, StateOf, Vector, coordinate_values,
-    project_position, project_velocity, retract,
+    Assemble, AssembleExt, Baumgarte, Fields, Report, Simulation, State, StateOf, Vector, project_position,
+    project_velocity, retract,
 };
 use std::f64::consts::PI;
 
@@ -76,12 +76,10 @@ pub fn scattered<M: Assemble<f64>>(model: &M, spread: f64, random: &mut Random) 
     let v = project_velocity(model, 0.0, &q, &wish).ok()?;
     let mut z = start.z.clone();
     z.as_mut_slice().iter_mut().for_each(|z| *z *= 1.0 + 0.5 * random.unit());
-    let counted = coordinate_values(model, 0.0, &q);
-    let is_within = counted
-        .as_slice()
-        .iter()
-        .zip(model.conditions())
-        .all(|(value, condition)| condition.kind != linkwright::ConditionKind::Angle || value.abs() < PI);
+    // Angles that are counted come last, each with its whole turns and what is left.
+    let counted = 2 * model.layout().angles.len();
+    let mut counted = q.as_slice()[q.as_slice().len() - counted..].chunks(2);
+    let is_within = counted.all(|angle| angle[0] == 0.0 && angle[1].abs() < PI);
     let state = State { q, v, z, ..start };
     is_within.then(|| (0.0, State { gates: model.live_gates(0.0, &state), ..state }))
 }
