@@ -371,7 +371,7 @@ fn graph(node: &Value, own: &str) -> Read<usize> {
         let written = optional(node, axis).and_then(|entry| entry.get("value"));
         written.is_none_or(|value| value.get("name").and_then(Value::as_str) == Some(&parameter))
     };
-    let found = ["x", "y"].iter().position(|axis| is_parameter(axis));
+    let found = ["x", "y"].iter().position(is_parameter);
     found.ok_or_else(|| DefinitionError::not_there_yet(own, "joints on curves that are no graphs"))
 }
 
