@@ -7,7 +7,7 @@ mod mapping;
 use linkwright::{Assemble, Fields, Report, StateOf, Vector};
 use linkwright_generic::{Algebra, DefinitionError, Mechanism};
 use mapping::beams;
-use mapping::states::{Random, inputs, scattered, states};
+use mapping::states::{Random, inputs, is_within_half_a_turn, scattered, states};
 use mapping::truth::{At, Truth};
 
 /// Largest difference of accelerations, relative to the largest of the mechanism, or to 1 where that is more.
@@ -119,7 +119,8 @@ where
     let mut seen = 0;
     for _ in 0..400 {
         let values: Vec<f64> = M::Inputs::NAMES.iter().map(|_| random.unit()).collect();
-        let Some(state) = scattered(model, 2.5, &mut random) else { continue };
+        let state = scattered(model, 2.5, &mut random);
+        let Some(state) = state.filter(|(_, state)| is_within_half_a_turn(model, state)) else { continue };
         seen += 1;
         let found = apart(name, model, coordinates, &mut mechanism, &values, vec![state]);
         worst = worst.max(found);

@@ -71,3 +71,12 @@ fn what_is_not_there_yet_is_refused() {
     }
     said(&arm(&many), "all ways in which they may, of 8 joints at most: write `coulomb` or");
 }
+
+#[test]
+fn more_than_can_be_tried_are_told() {
+    let arms = "rod arm[i] { mass [kg] = 1; length [m] = 1; } joint pin[i]: revolute(ground(i, 0) [m], arm[i].start);";
+    let source = format!(
+        "planar Many {{ repeat i in 0..9 {{ {arms} friction rub[i]: on(pin[i]) = dry(torque [N*m] = 1); }} }}"
+    );
+    said(&source, "of 8 joints at most");
+}

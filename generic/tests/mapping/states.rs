@@ -62,7 +62,7 @@ where
 }
 
 /// A state away from the start: another position that closes, moved by so much at most (m and rad), a velocity that belongs to it, and other
-/// internal states. Nothing where an angle passes half a turn: a body's orientation does not say how often it has turned.
+/// internal states.
 pub fn scattered<M: Assemble<f64>>(model: &M, spread: f64, random: &mut Random) -> Option<(f64, StateOf<M>)> {
     let start = model.start();
     let mut shift = model.zero_v();
@@ -76,10 +76,14 @@ pub fn scattered<M: Assemble<f64>>(model: &M, spread: f64, random: &mut Random) 
     let v = project_velocity(model, 0.0, &q, &wish).ok()?;
     let mut z = start.z.clone();
     z.as_mut_slice().iter_mut().for_each(|z| *z *= 1.0 + 0.5 * random.unit());
-    // Angles that are counted come last, each with its whole turns and what is left.
-    let counted = 2 * model.layout().angles.len();
-    let mut counted = q.as_slice()[q.as_slice().len() - counted..].chunks(2);
-    let is_within = counted.all(|angle| angle[0] == 0.0 && angle[1].abs() < PI);
     let state = State { q, v, z, ..start };
-    is_within.then(|| (0.0, State { gates: model.live_gates(0.0, &state), ..state }))
+    Some((0.0, State { gates: model.live_gates(0.0, &state), ..state }))
+}
+
+/// Whether no angle is beyond half a turn: a body's orientation does not say how often it has turned. Angles that are counted come last, each
+/// with its whole turns and what is left.
+pub fn is_within_half_a_turn<M: Assemble<f64>>(model: &M, state: &StateOf<M>) -> bool {
+    let q = state.q.as_slice();
+    let mut counted = q[q.len() - 2 * model.layout().angles.len()..].chunks(2);
+    counted.all(|angle| angle[0] == 0.0 && angle[1].abs() < PI)
 }
