@@ -78,5 +78,6 @@ fn more_than_can_be_tried_are_told() {
     let source = format!(
         "planar Many {{ repeat i in 0..9 {{ {arms} friction rub[i]: on(pin[i]) = dry(torque [N*m] = 1); }} }}"
     );
-    said(&source, "of 8 joints at most");
+    let text = "which of the joints with `dry` friction hold is found among all ways in which they may, of 8 joints at most";
+    said(&source, text);
 }
