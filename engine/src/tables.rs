@@ -26,10 +26,11 @@ pub struct Tables {
     pub start_gates: Vec<f64>,
     pub memories: &'static [&'static str],
     pub triggers: Vec<Trigger>,
-    /// Whether contacts are rigid.
+    /// Whether gates are forces, of rigid contacts or of dry friction in joints.
     pub rigid: bool,
-    /// Of each gate that of the gap which presses, where it is dry friction.
+    /// Whether they are those of dry friction in joints.
     pub sticks: bool,
+    /// Of each gate that of the gap which presses, where it is dry friction.
     pub pressed_by: Vec<Option<usize>>,
     /// Whether they part by Poisson's law.
     pub by_impulses: bool,

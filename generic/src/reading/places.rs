@@ -88,8 +88,9 @@ impl<'t> Reader<'t> {
         }
         let ends_at = |time: f64| minus(to.at(time), from.at(time));
         let span = ends_at(0.0);
-        let apart = TIMES.map(|time| norm(minus(ends_at(time), span))).into_iter().fold(0.0, f64::max);
-        if apart.is_nan() || apart > 1e-12 * norm(span) {
+        // What is no number is no direction that stays.
+        let stays = |time: &f64| norm(minus(ends_at(*time), span)) <= 1e-12 * norm(span);
+        if !TIMES.iter().all(stays) {
             return Err(DefinitionError::not_there_yet(part, "a line that turns by itself"));
         }
         let along = unit(span);
