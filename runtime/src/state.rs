@@ -22,6 +22,9 @@ pub trait Variables<R: Real> {
     type Z: Vector<R>;
     /// What is held between events, such as whether a contact is closed; `()` where there is nothing.
     type Gates: Vector<R>;
+    /// Whether there may be such a thing. It is known when a program is compiled, and what touches, sticks and occurs is left out of programs
+    /// where there is not.
+    const HOLDS: bool = size_of::<Self::Gates>() > 0;
     /// For each internal state the size below which its errors count as absolute, in its own unit; none given counts as 1.
     #[inline]
     fn internal_scales(&self) -> &[f64] {

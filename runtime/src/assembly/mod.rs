@@ -111,7 +111,7 @@ impl<R: Real, M: Assemble<R>> AssembleExt<R> for M {}
 /// The state with its gates as they are at it, and the ticks that are next at this time.
 #[inline(always)]
 pub(crate) fn held<R: Real, M: Mechanism<R>>(model: &M, time: R, mut state: StateOf<M, R>) -> StateOf<M, R> {
-    if !state.gates.as_slice().is_empty() {
+    if M::HOLDS && !state.gates.as_slice().is_empty() {
         state.gates = model.live_gates(time, &state);
         align(model, time, &mut state);
     }

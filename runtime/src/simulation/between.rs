@@ -103,12 +103,11 @@ where
         let mut due = after(begin);
         let mut events = 0;
         while self.is_under_way(&course) {
-            match self.run.state.gates.as_slice().is_empty() {
-                true => {
-                    self.advance_along(&mut course)?;
-                }
+            if M::HOLDS && !self.run.state.gates.as_slice().is_empty() {
                 // Up to a touch or release, beyond which no extension leads.
-                false => self.advance_piece(&mut course, &mut events)?,
+                self.advance_piece(&mut course, &mut events)?;
+            } else {
+                self.advance_along(&mut course)?;
             }
             while due.is_before(&self.run.clock) {
                 let mut state = self.within(&due).unwrap_or_else(|| self.run.state.clone());

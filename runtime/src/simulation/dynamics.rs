@@ -167,7 +167,7 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
         state: &StateOf<M, R>,
         inputs: &M::Inputs,
     ) -> (M::V, M::Lambda, R) {
-        if !self.model.is_rigid() {
+        if !M::HOLDS || !self.model.is_rigid() {
             return self.free(time, state, inputs);
         }
         let (mut a, mut lambda, pivot) = self.free(time, &self.opened(state), inputs);

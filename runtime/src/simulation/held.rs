@@ -46,6 +46,9 @@ where
 {
     /// Takes the gates as they are at the present state, after the impulses of rigid contacts or the events that occur here; what happened.
     pub(super) fn hold(&mut self) -> Result<Blow<R>, SimulationError> {
+        if !M::HOLDS {
+            return Ok(Blow::none());
+        }
         if self.model().sticks() {
             return self.stick();
         }

@@ -170,6 +170,9 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
         a: &mut M::V,
         lambda: &mut M::Lambda,
     ) -> M::Gates {
+        if !M::HOLDS {
+            return state.gates.clone();
+        }
         if self.model.sticks() {
             return self.rubbed(time, state, inputs, a, lambda);
         }

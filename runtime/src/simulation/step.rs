@@ -78,7 +78,7 @@ where
     /// One step of size `h`, after which the clock shows `clock`; an error leaves everything as it was.
     #[inline]
     pub(super) fn advance_by(&mut self, h: R, clock: Clock<R>) -> Result<Step<R>, SimulationError> {
-        if self.run.state.gates.as_slice().is_empty() {
+        if !M::HOLDS || self.run.state.gates.as_slice().is_empty() {
             self.step_by(h, clock)
         } else {
             self.advance_held(h, clock)
