@@ -5,6 +5,8 @@
 //! order Runge–Kutta methods on manifolds*, 1999; Hairer, Lubich, Wanner, *Geometric Numerical Integration*, IV.8). Without the
 //! correction rotations in space would be followed to order 2. Rotations of the plane commute, so there k_j = v_j. Counted angles
 //! have rates linear in v and take Σ a_ij v_j. Velocities and internal states are vectors and take Σ a_ij v̇_j and Σ a_ij ż_j.
+//!
+//! Stages are inlined where programs are optimised. In others each step would hold them as often as it has stages, which a build would wait for.
 
 use super::Dynamics;
 use crate::layout::{Layout, inverse_differential, retract_counting, retract_once};
@@ -69,7 +71,7 @@ impl<V, Z> Increment<V, Z> {
     }
 
     /// The same for a stage, from which nothing moves on.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn stage<R: Real, Q: Vector<R>, G: Clone>(
         &self,
         layout: &Layout<'_>,
@@ -84,12 +86,12 @@ impl<V, Z> Increment<V, Z> {
         self.with(q, begin)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn integral(&self) -> &V {
         self.integral.as_ref().unwrap_or(&self.u)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn with<R: Real, Q: Vector<R>, G: Clone>(&self, q: Q, begin: &State<Q, V, Z, G>) -> State<Q, V, Z, G>
     where
         V: Vector<R>,
@@ -110,7 +112,7 @@ pub(super) struct Slopes<V, Z, const S: usize> {
 
 impl<V, Z, const S: usize> Slopes<V, Z, S> {
     /// Those of a step that begins with this derivative.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn new<R: Real>(first: Derivative<V, Z>) -> Self
     where
         V: Vector<R>,
@@ -124,13 +126,13 @@ impl<V, Z, const S: usize> Slopes<V, Z, S> {
     }
 
     /// The derivative at the last stage.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn last(&self) -> &Derivative<V, Z> {
         &self.at[S - 1]
     }
 
     /// k of a stage.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn k(&self, layout: &Layout<'_>, stage: usize) -> &V {
         match &self.turned[stage] {
             Some(turned) if layout.quaternions > 0 => turned,
@@ -140,7 +142,7 @@ impl<V, Z, const S: usize> Slopes<V, Z, S> {
 
     /// h (c k₁ + Σ w_j (k_j − k₁)).
     // Inlined where the weights are constants, which leaves the sums alone.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn increment<R: Real>(&self, layout: &Layout<'_>, h: R, c: f64, weights: &[f64; S]) -> Increment<V, Z>
     where
         V: Vector<R>,
@@ -158,7 +160,7 @@ impl<V, Z, const S: usize> Slopes<V, Z, S> {
     }
 
     /// h k of a stage.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn single<R: Real>(&self, layout: &Layout<'_>, h: R, stage: usize) -> Increment<V, Z>
     where
         V: Vector<R>,
@@ -171,7 +173,7 @@ impl<V, Z, const S: usize> Slopes<V, Z, S> {
 
     /// Evaluates stage `i` of a step of size `h` from `begin`, counted from zero, the stages before being known; none if it broke
     /// down. Gives the increment to it.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn stage<R: Real, X: Variables<R, V = V, Z = Z>, D: Dynamics<R, Variables = X>>(
         &mut self,
         tableau: &Tableau<S>,
@@ -192,7 +194,7 @@ impl<V, Z, const S: usize> Slopes<V, Z, S> {
     }
 
     /// As [`stage`](Slopes::stage) of a state from which the motion goes on, which is shown before the equations correct it.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn stage_seen<R: Real, X: Variables<R, V = V, Z = Z>, D: Dynamics<R, Variables = X>>(
         &mut self,
         tableau: &Tableau<S>,
@@ -214,7 +216,7 @@ impl<V, Z, const S: usize> Slopes<V, Z, S> {
         Some(increment)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn evaluate<R: Real, X: Variables<R, V = V, Z = Z>, D: Dynamics<R, Variables = X>>(
         &mut self,
         c: f64,
@@ -243,7 +245,7 @@ impl<V, Z, const S: usize> Slopes<V, Z, S> {
 
 /// h (c k₁ + Σ w_j (k_j − k₁)): written about k₁, so that equal slopes give a uniform motion to the bit; h c k_j where that slope has
 /// all the weight.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn sum<'s, R: Real, T: Vector<R>, const S: usize>(
     (h, c): (R, R),
     weights: &[f64; S],
@@ -270,7 +272,7 @@ fn sum<'s, R: Real, T: Vector<R>, const S: usize>(
 }
 
 /// The slope that has all the weight, if one has.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn the_only<R: Real, const S: usize>(c: R, weights: &[f64; S]) -> Option<usize> {
     let mut found = None;
     for (stage, &weight) in weights.iter().enumerate() {
