@@ -35,6 +35,8 @@ pub enum Rejected {
     Counted(Counts),
     /// Their elimination alone, by its structure, takes so many operations: far more than all that the others need.
     Estimated(usize),
+    /// They do not have all that the dynamics use.
+    Impossible,
 }
 
 /// Solves in the coordinates asked for, or in both and takes the cheaper. `tree` is assembled already.
@@ -50,15 +52,15 @@ pub fn choose(
         errors.error(mechanism.joints[joint.0].name.span, message.clone());
         return None;
     }
-    let asked = if possible.is_err() { Coordinates::Tree } else { asked };
     if asked == Coordinates::Absolute {
         let absolute = absolute(mechanism, &tree, &assembly, errors)?;
         let (candidate, counts) = solved(mechanism, absolute.0, absolute.1, errors)?;
         return Some(taken(Coordinates::Absolute, candidate, counts, None));
     }
-    if asked == Coordinates::Tree {
+    if asked == Coordinates::Tree || possible.is_err() {
         let (candidate, counts) = solved(mechanism, tree, assembly, errors)?;
-        return Some(taken(Coordinates::Tree, candidate, counts, None));
+        let rejected = (asked == Coordinates::Auto).then_some(Rejected::Impossible);
+        return Some(taken(Coordinates::Tree, candidate, counts, rejected));
     }
     if mechanism.space == Space::Spatial {
         return choose_in_space(mechanism, tree, assembly, errors);
@@ -173,6 +175,9 @@ impl Choice {
         let (operations, depth) = (self.counts.total(), self.counts.depth);
         let why = match &self.rejected {
             None => format!("as asked: {operations} operations, depth {depth}"),
+            Some(Rejected::Impossible) => format!(
+                "{operations} operations, depth {depth}; {rival} coordinates do not have all that it needs"
+            ),
             Some(Rejected::Counted(other)) => format!(
                 "chosen by count: {operations} operations, depth {depth}, against {} and {} in {rival} coordinates",
                 other.total(),

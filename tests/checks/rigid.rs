@@ -184,8 +184,7 @@ fn what_would_part_slowly_rests() {
     let at_rest = fall + (1..=6).map(|n| 2.0 * 0.8_f64.powi(n) * fall).sum::<f64>();
     simulation.advance_until(at_rest - 1e-6).expect("it moves");
     assert_eq!(simulation.state().gates, [0.0]);
-    let step =
-        simulation.advance_until(at_rest + 1e-6).map(|_| *simulation.state()).expect("it moves");
+    let step = simulation.advance_until(at_rest + 1e-6).map(|_| *simulation.state()).expect("it moves");
     assert_eq!((step.q[1], step.v[1]), (0.0, 0.0));
     assert!((simulation.sample().outputs.force - 9.81).abs() < 1e-12);
     let (mut impacts, mut rested, mut lost) = (0, 0, 0.0);

@@ -61,8 +61,8 @@ pub fn counted_angles(mechanism: &Mechanism, tree: &SpanningTree) -> Result<(), 
 /// Whether absolute coordinates have all that the dynamics use. They can count angles: their axes have to be known here, and a
 /// universal joint has two that move. They do not have the parameter of a curve that is no graph.
 pub fn absolute_is_possible(mechanism: &Mechanism) -> Result<(), (JointId, String)> {
-    if let Some(index) = mechanism.joints.iter().position(Joint::must_carry) {
-        return Err((JointId(index), messages::curve_in_absolute(&mechanism.joints[index].name.text)));
+    if let Some(joint) = mechanism.bound_to_a_tree() {
+        return Err((joint, messages::curve_in_absolute(&mechanism.joints[joint.0].name.text)));
     }
     for rotor in couplings::multi_turn_rotors(mechanism) {
         let Rotor::Joint(id, _) = rotor else { continue };

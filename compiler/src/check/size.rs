@@ -6,7 +6,7 @@
 use super::messages::{self, Oversize};
 use crate::diagnostics::Diagnostics;
 use crate::equations::{self, Attachment, Equations, Omitted, SpanningTree, space};
-use crate::model::{Coordinates, Frame, Joint, Mechanism, Space};
+use crate::model::{Coordinates, Frame, Mechanism, Space};
 use crate::solve::structural_operations;
 
 /// Operations of one elimination, by structure. It is written out with several right-hand sides and read by rustc: at this size a
@@ -44,7 +44,7 @@ pub fn size(mechanism: &Mechanism, tree: &Equations, asked: Coordinates, errors:
     let open = mechanism.space == Space::Spatial && tree.rows.is_empty();
     let of_tree = if open { 0 } else { structural_operations(tree) };
     // Absolute coordinates that do not have the parameter of a curve are refused where coordinates are chosen.
-    let only_tree = mechanism.joints.iter().any(Joint::must_carry);
+    let only_tree = mechanism.bound_to_a_tree().is_some();
     if of_tree <= MOST_OPERATIONS && (asked != Coordinates::Absolute || only_tree) {
         return;
     }
@@ -78,7 +78,7 @@ pub fn size(mechanism: &Mechanism, tree: &Equations, asked: Coordinates, errors:
 /// itself.
 fn in_absolute(mechanism: &Mechanism) -> usize {
     match mechanism.space {
-        _ if mechanism.joints.iter().any(Joint::must_carry) => usize::MAX,
+        _ if mechanism.bound_to_a_tree().is_some() => usize::MAX,
         Space::Planar => structural_operations(&equations::derive(
             mechanism,
             SpanningTree::absolute(mechanism),

@@ -184,6 +184,11 @@ impl Mechanism {
         starts.map(|start| start.unwrap_or(f64::NAN)).collect()
     }
 
+    /// The first joint whose rows only the coordinates of a tree can have, if there is one.
+    pub fn bound_to_a_tree(&self) -> Option<JointId> {
+        self.joints.iter().position(Joint::must_carry).map(JointId)
+    }
+
     /// Whether gates are forces, which the run finds: of rigid contacts, or of dry friction in joints.
     pub fn is_rigid(&self) -> bool {
         self.loads.iter().any(|load| !load.restitutions.is_empty()) || self.sticks()

@@ -56,6 +56,20 @@ pub(super) fn grips<R: Real, M: Mechanism<R>>(model: &M) -> [M::Gates; 2] {
     [holding, sliding]
 }
 
+/// Of each gate: how fast its gap opens or it slides with some velocities, the derivative of that without accelerations, and the restitution.
+pub(super) struct Strikes<G> {
+    pub rates: G,
+    pub biases: G,
+    pub shares: G,
+}
+
+pub(super) fn strikes<R: Real, M: Mechanism<R>>(model: &M, time: R, q: &M::Q, v: &M::V) -> Strikes<M::Gates> {
+    let zeros = || M::Gates::zeros(model.gate_names().len());
+    let (mut rates, mut biases, mut shares) = (zeros(), zeros(), zeros());
+    model.strikes(time, q, v, &mut rates, &mut biases, &mut shares);
+    Strikes { rates, biases, shares }
+}
+
 /// What is held of rigid contacts from one touch to the next, beside what is closed.
 #[derive(Clone)]
 pub(super) struct Held<G> {
@@ -99,13 +113,8 @@ where
     if gaps.clone().next().is_none() {
         return forces;
     }
-    let along = |x: &M::V| {
-        let (mut rates, mut biases, mut shares) = (zeros(), zeros(), zeros());
-        model.strikes(time, &state.q, x, &mut rates, &mut biases, &mut shares);
-        rates
-    };
-    let (drifts, mut biases) = (along(&model.zero_v()), zeros());
-    model.strikes(time, &state.q, &state.v, &mut zeros(), &mut biases, &mut zeros());
+    let along = |x: &M::V| strikes(model, time, &state.q, x).rates;
+    let (drifts, biases) = (along(&model.zero_v()), strikes(model, time, &state.q, &state.v).biases);
     let (free, open) = (along(a), (a.clone(), lambda.clone()));
     let [_, sliding] = grips(model);
     let holds = |i: usize| R::any(at(held.ways.as_slice(), i).equal(R::ZERO));
@@ -211,9 +220,9 @@ where
         }
         let (model, time, state) = (self.model(), self.time(), self.run.state.clone());
         let zeros = || M::Gates::zeros(model.gate_names().len());
-        let (mut gaps, mut rates) = (zeros(), zeros());
+        let mut gaps = zeros();
         model.guards(time, &state, &mut gaps, &mut zeros());
-        model.strikes(time, &state.q, &state.v, &mut rates, &mut zeros(), &mut zeros());
+        let mut rates = strikes(model, time, &state.q, &state.v).rates;
         let closed = |i: usize| at(state.gates.as_slice(), i) > R::ZERO;
         let gates = 0..model.gate_names().len();
         let force_of = |i: usize| pressed_by(model, i).is_none() && closed(i);

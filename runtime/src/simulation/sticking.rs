@@ -11,7 +11,7 @@
 //! is consistent is taken: what sticks before what slides (Pfeiffer and Glocker, *Multibody Dynamics with Unilateral Contacts*, 1996, 5.3).
 
 use super::complementarity::{Few, ROWS, solved};
-use super::rigid::{Held, LEAST, sharp, still};
+use super::rigid::{Held, LEAST, sharp, still, strikes};
 use super::strike::{Blow, SLOW};
 use super::{MechanismDynamics, Simulation};
 use crate::error::SimulationError;
@@ -187,13 +187,9 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
         let Place { time, inputs, .. } = *place;
         let state = State { gates: forces, ..place.state.clone() };
         let (a, lambda, _) = self.free(time, &state, inputs);
-        let along = |v: &M::V| {
-            let (mut rates, mut biases) = (zeros(), zeros());
-            model.strikes(time, &state.q, v, &mut rates, &mut biases, &mut zeros());
-            (rates, biases)
-        };
-        let ((drifts, _), (_, biases)) = (along(&model.zero_v()), along(&state.v));
-        let bends = along(&a).0.plus(-R::ONE, &drifts).plus(R::ONE, &biases);
+        let along = |v: &M::V| strikes(model, time, &state.q, v);
+        let (drifts, biases) = (along(&model.zero_v()).rates, along(&state.v).biases);
+        let bends = along(&a).rates.plus(-R::ONE, &drifts).plus(R::ONE, &biases);
         let (mut holding, mut sliding) = (zeros(), zeros());
         model.bounds(time, &state, inputs, &a, &lambda, &mut holding, &mut sliding);
         Moved { forces: state.gates, a, lambda, bends, holding, sliding }
@@ -273,12 +269,7 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
     /// G of all joints.
     fn yielding(&self, place: &Place<'_, R, M>, ways: &[M::V; ROWS]) -> [Few<R>; ROWS] {
         let model = self.model;
-        let zeros = || M::Gates::zeros(model.gate_names().len());
-        let along = |v: &M::V| {
-            let mut rates = zeros();
-            model.strikes(place.time, &place.state.q, v, &mut rates, &mut zeros(), &mut zeros());
-            rates
-        };
+        let along = |v: &M::V| strikes(model, place.time, &place.state.q, v).rates;
         let (drifts, mut matrix) = (along(&model.zero_v()), [[R::ZERO; ROWS]; ROWS]);
         for (column, way) in ways.iter().enumerate().take(count(model)) {
             let moved = along(way).plus(-R::ONE, &drifts);
@@ -293,8 +284,7 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
     fn sought(&self, place: &Place<'_, R, M>, resting: usize) -> Option<Way<R, M>> {
         let (model, State { q, v, .. }) = (self.model, place.state);
         let (count, zeros) = (count(model), || M::Gates::zeros(model.gate_names().len()));
-        let mut rates = zeros();
-        model.strikes(place.time, q, v, &mut rates, &mut zeros(), &mut zeros());
+        let rates = strikes(model, place.time, q, v).rates;
         let slow = R::from_f64(SLOW) * still(v.as_slice());
         let rests = |i: usize| resting >> i & 1 == 1;
         let way_of = |i: usize| match at(rates.as_slice(), i) {
@@ -354,7 +344,6 @@ where
     {
         let (model, time, mut state) = (self.model(), self.time(), self.run.state.clone());
         let inputs = self.dynamics.present_inputs(time, &state);
-        let zeros = || M::Gates::zeros(model.gate_names().len());
         let count = count(model);
         // What others hold rests, whatever a method leaves of its rate.
         let tied = |i: &usize| R::any(at(self.dynamics.held.groups.as_slice(), *i).greater(R::ZERO));
@@ -382,8 +371,7 @@ where
                 continue;
             }
             // What a method leaves of the rates of what sticks is taken back, along the way of an impulse.
-            let mut rates = zeros();
-            model.strikes(time, &state.q, &state.v, &mut rates, &mut zeros(), &mut zeros());
+            let rates = strikes(model, time, &state.q, &state.v).rates;
             let off = core::array::from_fn(|i| at(rates.as_slice(), i));
             let back = solved(&yielding, &off, 0, count, firm).unwrap_or([R::ZERO; ROWS]);
             for (along, way) in back.iter().zip(&slopes.ways) {
@@ -417,8 +405,7 @@ where
     {
         let (model, time, state) = (self.model(), self.time(), self.run.state.clone());
         let zeros = || M::Gates::zeros(model.gate_names().len());
-        let (mut guards, mut rates) = (zeros(), zeros());
-        model.strikes(time, &state.q, &state.v, &mut rates, &mut zeros(), &mut zeros());
+        let (mut guards, rates) = (zeros(), strikes(model, time, &state.q, &state.v).rates);
         let inputs = self.dynamics.inputs_within(time, &state);
         let held = &self.dynamics.held;
         let all = 0..count(model);

@@ -7,7 +7,7 @@
 
 use super::Simulation;
 use super::complementarity::{Few, Problem, RIGID_TOUCHING, ROWS, Rub, Way};
-use super::rigid::{Held, grips, near, pressed_by, still};
+use super::rigid::{Held, Strikes, grips, near, pressed_by, still, strikes};
 use crate::error::SimulationError;
 use crate::formulation::Formulation;
 use crate::input::InputSource;
@@ -120,7 +120,6 @@ where
         blow: &mut Blow<R>,
     ) -> Result<(), SimulationError> {
         let (model, time) = (self.model(), self.time());
-        let zeros = || M::Gates::zeros(model.gate_names().len());
         let (before, ways_before) = (self.run.state.gates.clone(), self.dynamics.held.ways.clone());
         let closed = |i: usize| at(before.as_slice(), i) > R::ZERO;
         let rests = |i: usize| match pressed_by(model, i) {
@@ -139,13 +138,12 @@ where
             }
         }
         let still = still(self.run.state.v.as_slice());
-        let mut shares = zeros();
-        let v = self.run.state.v.clone();
-        model.strikes(time, &self.run.state.q, &v, &mut zeros(), &mut zeros(), &mut shares);
-        let strikes = touching.gaps().any(|(place, i)| {
+        let State { q, v, .. } = &self.run.state;
+        let shares = strikes(model, time, q, v).shares;
+        let closes = touching.gaps().any(|(place, i)| {
             at(&approach.rates, place) < -still && at(gaps.as_slice(), i) <= R::ZERO && !closed(i)
         });
-        if strikes {
+        if closes {
             let shares = shares.as_slice();
             // What rests has no speed to part with; by Poisson's law it has an impulse.
             let bounces = |i: usize| model.parts_by_impulses() || !closed(i);
@@ -350,11 +348,7 @@ where
 
     /// The rates of all gaps with these velocities.
     fn rates_at(&self, v: &M::V) -> M::Gates {
-        let model = self.model();
-        let zeros = || M::Gates::zeros(model.gate_names().len());
-        let mut rates = zeros();
-        model.strikes(self.time(), &self.run.state.q, v, &mut rates, &mut zeros(), &mut zeros());
-        rates
+        strikes(self.model(), self.time(), &self.run.state.q, v).rates
     }
 
     /// How all that touches approaches, and which way it slides, but for what `holds`.
@@ -366,11 +360,9 @@ where
         holds: impl Fn(usize) -> bool,
     ) -> Approach<R> {
         let (model, time) = (self.model(), self.time());
-        let zeros = || M::Gates::zeros(model.gate_names().len());
         let state = self.dynamics.opened(&self.run.state);
         let (a, _, _) = self.dynamics.free(time, &state, inputs);
-        let (mut own, mut biases, mut shares) = (zeros(), zeros(), zeros());
-        model.strikes(time, &state.q, &state.v, &mut own, &mut biases, &mut shares);
+        let Strikes { rates: own, biases, shares } = strikes(model, time, &state.q, &state.v);
         let (drifts, free) = (self.rates_at(&model.zero_v()), self.rates_at(&a));
         let (mut rates, mut bends) = ([R::ZERO; ROWS], [R::ZERO; ROWS]);
         for (place, i) in touching.each() {

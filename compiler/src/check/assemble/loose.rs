@@ -65,7 +65,7 @@ const ON_AXIS: f64 = 1e-6;
 
 /// The bodies that move alone at `q`, drivers removed.
 pub fn find(mechanism: &Mechanism, equations: &Equations, q: &[f64], phases: &[f64]) -> Vec<Loose> {
-    if mechanism.joints.iter().any(Joint::must_carry) {
+    if mechanism.bound_to_a_tree().is_some() {
         // Absolute coordinates lack its rows.
         return Vec::new();
     }
