@@ -342,6 +342,8 @@ fn memories(mechanism: &Mechanism) -> Vec<Value> {
 fn events(mechanism: &Mechanism) -> Vec<[String; 3]> {
     let said = |event: &Event| {
         let sets = event.sets.iter().map(|(memory, _)| mechanism.memories[memory.0].name.text.as_str());
+        let jumps = event.jump.iter().map(|jump| jump.name.clone());
+        let sets = sets.map(str::to_string).chain(jumps);
         let sets = format!("sets {}", sets.collect::<Vec<_>>().join(", "));
         [event.name.text.clone(), event.occasion.said(), sets]
     };

@@ -168,7 +168,7 @@ impl<D: 'static> Mechanism<f64> for Engine<D> {
         biases: &mut List,
         restitutions: &mut List,
     ) {
-        if self.is_rigid() {
+        if self.has(Function::Strikes) {
             let given = [(Time, from_ref(&time)), (Q, q.as_slice()), (V, v.as_slice())];
             let out = &mut [rates.as_mut_slice(), biases.as_mut_slice(), restitutions.as_mut_slice()];
             self.call(Function::Strikes, &given, out);

@@ -106,7 +106,7 @@ class Energies:
         self.gaps = all_of(names, lambda name: touching.gaps(name)[0], nothing)
         self.laws = all_of(names, touching.laws, nothing)
         self.assignments = ca.SX(0, 1)
-        if self.model.memories:
+        if self.model.events or self.model.memories:
             gaps, forces = memories.guards(self.model, kinematics)
             self.gaps, self.laws = ca.vertcat(self.gaps, gaps), ca.vertcat(self.laws, forces)
             self.assignments = memories.assignments(self.model, kinematics)
@@ -117,6 +117,10 @@ class Energies:
         self.gap_rates = all_of(rigid, rates_of, touching.slidings)
         self.gap_biases = kinematics.rate(self.gap_rates) if rigid else ca.SX(0, 1)
         self.restitutions = all_of(rigid, touching.restitutions, nothing)
+        speeds, jumps = memories.jumping(self.model, kinematics)
+        if jumps.numel():
+            # Of events their derivatives are not asked for.
+            self.gap_rates, self.gap_biases, self.restitutions = speeds, ca.SX(jumps.numel(), 1), jumps
 
     def _slope(self, value):
         """∂(value)/∂π."""

@@ -27,9 +27,11 @@ pub fn items(text: &mut String, emitter: &Emitter, source: &str) {
     inputs(text, emitter);
     outputs(text, emitter);
     let gates = emitter.compiled.entries(Shape::Gates);
-    let held = match (mechanism.options.held, mechanism.memories.is_empty()) {
-        (true, false) => "gates of contacts, events and memories",
-        (false, false) => "events and memories",
+    let held = match (mechanism.options.held, mechanism.memories.is_empty(), mechanism.events.is_empty()) {
+        (true, false, _) => "gates of contacts, events and memories",
+        (false, false, _) => "events and memories",
+        (true, true, false) => "gates of contacts and events",
+        (false, true, false) => "events",
         _ if mechanism.sticks() => "forces of dry friction",
         _ => "gates of contacts",
     };

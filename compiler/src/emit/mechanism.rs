@@ -46,7 +46,7 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
     if mechanism.holds() {
         let names = mechanism.held_names().into_iter().map(|name| name.text.clone()).collect();
         tables::method(text, "gate_names", "&[&'static str]", &tables::strings(names));
-        if !mechanism.memories.is_empty() {
+        if !mechanism.events.is_empty() || !mechanism.memories.is_empty() {
             let names = mechanism.memories.iter().map(|memory| memory.name.text.clone()).collect();
             tables::method(text, "memory_names", "&[&'static str]", &tables::strings(names));
             let triggers =

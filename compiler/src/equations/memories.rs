@@ -5,7 +5,7 @@
 //! guard of any other, and of a memory      (0, 0)
 //! m⁺ = value of the last event written that sets m and occurs, else m
 //! ```
-//! While m⁺ is asked for, the place of an event in the gates says whether it occurs.
+//! While m⁺ is asked for, the place of an event in the gates says whether it occurs; what comes out there is what its speed jumps to.
 
 use super::laws::Laws;
 use crate::model::Occasion;
@@ -22,10 +22,28 @@ pub fn guards(laws: &Laws) -> Vec<[Node; 2]> {
     events.chain(laws.mechanism.memories.iter().map(|_| [zero, zero])).collect()
 }
 
-/// All that is held after the events that occur: memories as these set them, the rest as it is. Nothing without memories.
+/// Of each gate, event and memory the speed that jumps, nothing, and 1, in the order of what `loads::strikes` says of rigid contacts; zeros of
+/// what lets none jump. Nothing where none does.
+pub fn jumps(laws: &Laws) -> Vec<[Node; 3]> {
+    let (zero, one) = (laws.g.zero().bare, laws.g.one().bare);
+    let none = [zero, zero, zero];
+    let mechanism = laws.mechanism;
+    if mechanism.events.iter().all(|event| event.jump.is_none()) {
+        return Vec::new();
+    }
+    let gates = mechanism.gates().map(|_| none);
+    let events = mechanism.events_in_places().into_iter().map(|(_, event)| match &event.jump {
+        Some(jump) => [laws.coordinate(&jump.of).rate().bare, zero, one],
+        None => none,
+    });
+    gates.chain(events).chain(mechanism.memories.iter().map(|_| none)).collect()
+}
+
+/// All that is held after the events that occur: memories as these set them, what speeds jump to at the places of events, the rest as it is.
+/// Nothing without events.
 pub fn assignments(laws: &Laws) -> Vec<Node> {
     let mechanism = laws.mechanism;
-    if mechanism.memories.is_empty() {
+    if mechanism.events.is_empty() {
         return Vec::new();
     }
     let (half, gates) = (laws.g.number(0.5), &laws.symbols.gates);
@@ -38,6 +56,9 @@ pub fn assignments(laws: &Laws) -> Vec<Node> {
         for (memory, value) in &event.sets {
             let at = mechanism.place_of_memory(*memory);
             after[at] = occurs.select(laws.value(value), laws.g.on(after[at])).bare;
+        }
+        if let Some(jump) = &event.jump {
+            after[place(index)] = laws.value(&jump.to).bare;
         }
     }
     after

@@ -190,7 +190,8 @@ pub static FUNCTIONS: [Signature; 52] = [
         Function::Assignments,
         "assignments",
         Mechanism,
-        "All that is held after the events whose places are 1: memories as these set them (SI), the rest as it is.",
+        "All that is held after the events whose places are 1: memories as these set them (SI), at the places of events what\n\
+         their speeds jump to (m/s or rad/s), the rest as it is.",
         WITH_INPUTS,
         &[written("after", Shape::Gates, |c| c.solved.assignments.clone()).called("{}_after")],
     )
@@ -200,7 +201,8 @@ pub static FUNCTIONS: [Signature; 52] = [
         "strikes",
         Mechanism,
         "Of each rigid contact the rate of its gap (m/s or rad/s), what of its second time derivative is there at v̇ = 0\n\
-         (m/s² or rad/s²), and its restitution; of each dry friction its sliding (m/s), the same of its derivative, and 0.",
+         (m/s² or rad/s²), and its restitution; of each dry friction its sliding (m/s), the same of its derivative, and 0;\n\
+         of each event whose speed jumps that (m/s or rad/s), 0, and 1.",
         &[Constants, Time, Q, V],
         &[
             written("rates", Shape::Gates, |c| strikes(c, 0)).called("rate_{}"),

@@ -8,14 +8,42 @@ pub(crate) fn memory_without_start(name: &str) -> String {
 
 pub(crate) fn event_without_assignments(name: &str) -> String {
     format!(
-        "the event `{name}` sets nothing: write `{{ memory = value; }}` behind its condition, or leave it out"
+        "the event `{name}` sets nothing: write `{{ memory = value; }}` or `{{ jump(speed) = value; }}` behind its condition, or leave it \
+         out"
     )
 }
 
-pub(crate) fn jump_of_a_velocity(event: &str) -> String {
+pub(crate) fn second_jump(event: &str) -> String {
     format!(
-        "`{event}` cannot make a velocity jump: events set memories only; let a load push that a memory switches on, or let a \
-         rigid contact strike, `contact NAME: between(…) = rigid(restitution = …);`"
+        "`{event}` lets a second speed jump, and an event has one: write another event with the same condition, for all that occurs \
+         at one time jumps together"
+    )
+}
+
+pub(crate) fn jump_of_no_speed(name: &str) -> String {
+    format!(
+        "`{name}` cannot jump: only a speed can, such as `rail.speed`, `pin.rate` or `body.origin.velocity.x`; positions go on as they are"
+    )
+}
+
+/// What a speed that jumps is called where what it jumps to has another dimension.
+pub(crate) fn what_jumps(speed: &str) -> String {
+    format!("what `{speed}` jumps to")
+}
+
+pub(crate) fn jump_of_what_is_driven(speed: &str, driver: &str) -> String {
+    format!(
+        "`{speed}` cannot jump, since `{driver}` drives it: let the law of the driver jump, or another speed"
+    )
+}
+
+pub(crate) fn driven_here(driver: &str) -> String {
+    format!("`{driver}` drives it")
+}
+
+pub(crate) fn too_many_jumps(found: usize, most: usize) -> String {
+    format!(
+        "{found} events let speeds jump, and {most} may: set several by one event less, or let memories switch loads"
     )
 }
 
@@ -44,13 +72,15 @@ pub(crate) fn period_too_short(event: &str, found: f64) -> String {
 
 pub(crate) fn sets_no_memory(name: &str) -> String {
     format!(
-        "`{name}` is no memory, and events set memories only: declare another name by `memory NAME [unit] = value;`"
+        "`{name}` is no memory, and events set memories and let speeds jump, nothing else: declare another name by \
+         `memory NAME [unit] = value;`"
     )
 }
 
 pub(crate) fn assigned_quantity(name: &str) -> String {
     format!(
-        "no quantity of `{name}` can be set here: events set memories only, which `memory NAME [unit] = value;` declares"
+        "no quantity of `{name}` can be set like that: events set memories, which `memory NAME [unit] = value;` declares, and let speeds \
+         jump, `jump({name}.…) = value;`"
     )
 }
 
@@ -86,7 +116,7 @@ pub(crate) fn memory_never_set(memory: &str) -> String {
 
 pub(crate) fn memory_beside_rigid(memory: &str, rigid: &str) -> String {
     format!(
-        "memories such as `{memory}` and rigid contacts such as `{rigid}` cannot be in one mechanism yet: give `{rigid}` a law that \
+        "memories and events such as `{memory}` and rigid contacts such as `{rigid}` cannot be in one mechanism yet: give `{rigid}` a law that \
          yields, such as `hunt_crossley(…)`, or leave the memories out"
     )
 }
@@ -97,7 +127,7 @@ pub(crate) fn rigid_here(rigid: &str) -> String {
 
 pub(crate) fn memories_in_c(memory: &str) -> String {
     format!(
-        "the functions in C take whole steps and find no event within them, so that `{memory}` would be set late: leave \
+        "the functions in C take whole steps and find no event within them, so that `{memory}` would be late: leave \
          `export_c` out, or give what `{memory}` says as an input"
     )
 }

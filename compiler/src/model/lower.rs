@@ -101,7 +101,7 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
     Lowering::modes_at_rest(&mut mechanism);
     mechanism.states = lowering.states();
     mechanism.memories = lowering.each(&definition.memories, Lowering::memory);
-    mechanism.events = lowering.events();
+    mechanism.events = lowering.events(&mechanism.drivers);
     friction::number(&mut mechanism.loads);
     lowering.all_signals();
     lowering.slides(&mut mechanism.loads);

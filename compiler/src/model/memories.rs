@@ -4,14 +4,18 @@
 //! passing   the value rises, falls or crosses as value − level becomes positive, stops being so, or either
 //! every     the time is k T, k = 0, 1, 2, …
 //! ```
-//! What an event sets memories to is of the values before it; of events at one time the one that is written last decides.
+//! What an event sets memories to is of the values before it; of events at one time the one that is written last decides. Speeds that jump do
+//! so together, as by impulses along them.
 
 use super::lower::{Lowering, Use, declared, declared_unit, name};
 use super::names::Value;
-use super::{DeclaredUnit, Expr, Function2, Mechanism, MemoryId, Name, fold};
+use super::{Coordinate, DeclaredUnit, Driver, Expr, Function2, Mechanism, MemoryId, Name, Quantity, fold};
 use crate::messages;
 use crate::syntax::{self, OptionEntry, Way};
 use crate::units::Dimension;
+
+/// How many speeds may jump.
+pub const MOST_JUMPS: usize = 8;
 
 /// The shortest period, s: steps end at every tick.
 const SHORTEST: f64 = 1e-9;
@@ -31,8 +35,19 @@ pub struct Memory {
 pub struct Event {
     pub name: Name,
     pub occasion: Occasion,
-    /// At least one; each memory once.
+    /// Each memory once.
     pub sets: Vec<(MemoryId, Expr)>,
+    pub jump: Option<Jump>,
+}
+
+/// A speed that jumps, as by an impulse along it.
+#[derive(Clone, Debug)]
+pub struct Jump {
+    /// That of which the speed is.
+    pub of: Coordinate,
+    /// The speed as written.
+    pub name: String,
+    pub to: Expr,
 }
 
 /// When an event occurs.
@@ -67,7 +82,7 @@ impl Occasion {
 impl Mechanism {
     /// Whether states hold something between events: gates of contacts or memories.
     pub fn holds(&self) -> bool {
-        self.options.held || !self.memories.is_empty() || self.sticks()
+        self.options.held || !self.memories.is_empty() || !self.events.is_empty() || self.sticks()
     }
 
     /// The events in the order of their places behind the gates of contacts: what passes a level, then what has a period.
@@ -104,10 +119,11 @@ impl<'d> Lowering<'d> {
     }
 
     /// All events. What they name is known.
-    pub fn events(&mut self) -> Vec<Event> {
+    pub fn events(&mut self, drivers: &[Driver]) -> Vec<Event> {
         let definition = self.definition;
         let events = self.each(&definition.events, Lowering::event);
         self.events_differ(&events);
+        self.jumps_are_free(&events, drivers);
         self.beside_memories();
         events
     }
@@ -122,11 +138,26 @@ impl<'d> Lowering<'d> {
                 self.diagnostics.conflict(memory.region, message, first.region, note);
             }
         }
+        let jump = event.jump.as_ref().map(|jump| self.jump(jump));
         Some(Event {
             name: name(&event.name),
             occasion: occasion?,
             sets: sets.into_iter().collect::<Option<_>>()?,
+            jump: if let Some(jump) = jump { Some(jump?) } else { None },
         })
+    }
+
+    fn jump(&mut self, syntax::Jump { speed, to }: &'d syntax::Jump) -> Option<Jump> {
+        let found = self.permitted_quantity(speed, Use::ASSIGNED);
+        let typed = self.value(to, Use::ASSIGNED);
+        let Some((Quantity::Rate(of), dimension)) = found else {
+            if found.is_some() {
+                self.diagnostics.error(speed.region, messages::jump_of_no_speed(&speed.text));
+            }
+            return None;
+        };
+        let to = self.expect_dimension(typed?, dimension, &messages::what_jumps(&speed.text))?;
+        Some(Jump { of, name: speed.text.clone(), to })
     }
 
     fn occasion(&mut self, event: &'d syntax::Event) -> Option<Occasion> {
@@ -200,25 +231,40 @@ impl<'d> Lowering<'d> {
         }
     }
 
-    /// What memories cannot be together with yet.
+    /// No speed jumps that a driver gives, and not too many do.
+    fn jumps_are_free(&mut self, events: &[Event], drivers: &[Driver]) {
+        let written = self.definition.events.iter().filter_map(|event| event.jump.as_ref());
+        let jumps = events.iter().filter_map(|event| event.jump.as_ref());
+        for jump in jumps {
+            let Some(driver) = drivers.iter().find(|driver| driver.coordinate == jump.of) else { continue };
+            let message = messages::jump_of_what_is_driven(&jump.name, &driver.name.text);
+            let note = messages::driven_here(&driver.name.text);
+            for at in written.clone().filter(|written| written.speed.text == jump.name) {
+                self.diagnostics.conflict(at.speed.region, message.clone(), driver.name.span, note.clone());
+            }
+        }
+        if let Some(jump) = written.clone().nth(MOST_JUMPS) {
+            let message = messages::too_many_jumps(written.count(), MOST_JUMPS);
+            self.diagnostics.error(jump.speed.region, message);
+        }
+    }
+
+    /// What memories and events cannot be together with yet.
     fn beside_memories(&mut self) {
         let definition = self.definition;
-        let Some(memory) = definition.memories.first() else {
+        let memories = definition.memories.iter().map(|memory| &memory.name);
+        let Some(name) = memories.chain(definition.events.iter().map(|event| &event.name)).next() else {
             return;
         };
         let rigid = (0..definition.contacts.len()).find(|index| self.is_rigid_contact(*index));
         if let Some(rigid) = rigid.map(|index| &definition.contacts[index].name) {
-            let message = messages::memory_beside_rigid(&memory.name.text, &rigid.text);
-            self.diagnostics.conflict(
-                memory.name.region,
-                message,
-                rigid.region,
-                messages::rigid_here(&rigid.text),
-            );
+            let message = messages::memory_beside_rigid(&name.text, &rigid.text);
+            let note = messages::rigid_here(&rigid.text);
+            self.diagnostics.conflict(name.region, message, rigid.region, note);
         }
         for entry in &definition.options {
             if let OptionEntry::ExportC(scalar) = entry {
-                self.diagnostics.error(scalar.region, messages::memories_in_c(&memory.name.text));
+                self.diagnostics.error(scalar.region, messages::memories_in_c(&name.text));
             }
         }
     }

@@ -263,6 +263,7 @@ pub fn settings(page: &mut String, compiled: &Compiled) {
     let mut table = Table::new(&["event", "occurs", "sets"]);
     for event in &mechanism.events {
         let sets = event.sets.iter().map(|(memory, _)| code(&mechanism.memories[memory.0].name.text));
+        let sets = sets.chain(event.jump.iter().map(|jump| code(&jump.name)));
         table.row(vec![code(&event.name.text), event.occasion.said(), sets.collect::<Vec<_>>().join(", ")]);
     }
     table.write(page, "Events");

@@ -512,13 +512,21 @@ pub struct Memory {
     pub entry: Entry,
 }
 
-/// `event name: occasion { memory = value; … }`
+/// `event name: occasion { memory = value; … jump(speed) = value; }`
 #[derive(Clone, Debug)]
 pub struct Event {
     pub name: Label,
     pub occasion: Occasion,
-    /// At least one.
+    /// At least one, or a jump.
     pub sets: Vec<(Label, Term)>,
+    pub jump: Option<Jump>,
+}
+
+/// `jump(speed) = value;`
+#[derive(Clone, Debug)]
+pub struct Jump {
+    pub speed: Path,
+    pub to: Term,
 }
 
 /// When an event occurs.

@@ -43,6 +43,8 @@ pub fn definition_json(definition: &Definition) -> String {
         if !definition.memories.is_empty() {
             w.key("memories")
                 .list(&definition.memories, |w, memory| w.named_entry(&memory.name, &memory.entry));
+        }
+        if !definition.events.is_empty() {
             w.key("events").list(&definition.events, Writer::event);
         }
         if !definition.tables.is_empty() {
@@ -271,6 +273,12 @@ impl Writer {
             w.key("name").string(&memory.text);
             w.key("value").term(value);
         });
+        if let Some(Jump { speed, to }) = &event.jump {
+            self.key("jump").object(|w| {
+                w.key("speed").name(&speed.text);
+                w.key("value").term(to);
+            });
+        }
     }
 
     fn table(&mut self, table: &TableTerm) {

@@ -2,11 +2,11 @@
 //!
 //! ```text
 //! memory name [unit] = value;
-//! event name: quantity rises|falls|crosses level { memory = value; … }
-//! event name: every period { memory = value; … }
+//! event name: quantity rises|falls|crosses level { memory = value; … jump(speed) = value; }
+//! event name: every period { memory = value; … jump(speed) = value; }
 //! ```
 
-use super::definition::{Event, Memory, Occasion, Way};
+use super::definition::{Event, Jump, Memory, Occasion, Way};
 use super::parser::{Parsed, Parser};
 use super::token::Cursor;
 use crate::messages;
@@ -45,11 +45,15 @@ impl Parser<'_> {
         if inside.is_done() {
             return self.fail(name.region, messages::event_without_assignments(&name.text));
         }
-        let mut sets = Vec::new();
+        let (mut sets, mut jump) = (Vec::new(), None);
         while !inside.is_done() {
-            let at = inside.region();
             if inside.at_word("jump") && is_called(inside.clone()) {
-                return self.fail(at, messages::jump_of_a_velocity(&name.text));
+                let found = self.jump(&mut inside)?;
+                if jump.is_some() {
+                    return self.fail(found.speed.region, messages::second_jump(&name.text));
+                }
+                jump = Some(found);
+                continue;
             }
             let memory = self.label(&mut inside, "the name of a memory")?;
             if inside.at_punct('.') {
@@ -60,8 +64,20 @@ impl Parser<'_> {
             self.semicolon(&mut inside)?;
             sets.push((memory, value));
         }
-        self.definition.events.push(Event { name, occasion, sets });
+        self.definition.events.push(Event { name, occasion, sets, jump });
         Ok(())
+    }
+
+    /// `jump(speed) = value;`
+    fn jump(&mut self, c: &mut Cursor) -> Parsed<Jump> {
+        c.advance();
+        let mut inside = self.group(c, Delimiter::Parenthesis)?;
+        let speed = self.path(&mut inside, "a speed or rate, such as `rail.speed`")?;
+        self.end(&inside, "`)`")?;
+        self.punct(c, '=')?;
+        let to = self.expression(c)?;
+        self.semicolon(c)?;
+        Ok(Jump { speed, to })
     }
 }
 

@@ -174,6 +174,13 @@ pub enum SimulationError {
         /// How often events may occur in a step, ticks at their own times aside.
         most: u32,
     },
+    /// The speed that an event lets jump is held by joints or drivers, or two that jump at one time hold each other.
+    NoJump {
+        /// The event.
+        event: &'static str,
+        /// The time at which it occurred, s.
+        time: f64,
+    },
     /// A rigid contact is inside another body: at a start, or because its parts crossed each other in less than a step.
     Inside {
         /// The contact.
@@ -251,7 +258,9 @@ impl SimulationError {
             | SimulationError::Projection { error: AssemblyError::NoConvergence { row, .. }, .. } => {
                 Some(row.of)
             }
-            SimulationError::EventWithoutEnd { event, .. } => Some(event),
+            SimulationError::EventWithoutEnd { event, .. } | SimulationError::NoJump { event, .. } => {
+                Some(event)
+            }
             SimulationError::Locked { friction, .. } => Some(friction),
             SimulationError::Chatter { contact, .. }
             | SimulationError::Inside { contact, .. }
@@ -369,6 +378,11 @@ impl Display for SimulationError {
                 f,
                 "the event `{event}` occurs without end at t = {time} s: events did so more than {most} times in one step; set the levels of \
                  events that undo each other apart, or take a smaller step"
+            ),
+            SimulationError::NoJump { event, time } => write!(
+                f,
+                "the speed that `{event}` lets jump at t = {time} s cannot: joints or drivers hold it, or others that jump with it; let \
+                 another speed jump"
             ),
             SimulationError::Inside { contact, time, depth } => write!(
                 f,

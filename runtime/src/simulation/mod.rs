@@ -12,6 +12,7 @@ mod dynamics;
 mod event;
 mod held;
 mod implicit;
+mod jump;
 mod locate;
 mod occur;
 mod proportion;

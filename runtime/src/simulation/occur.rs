@@ -4,8 +4,9 @@
 //! m⁺ = what the events that occur set m to, at t, q, v, z, u and m before them
 //! ```
 //! All that occur at one time are one pass: what they set is of the values before it, and where two set the same memory the one that is
-//! written last decides. What follows from the new memories, the gates of contacts and events that these let occur, is another pass
-//! at the same time. Ticks are counted: the next one is at k T, exactly, however many there were. Where steps are parted is `held.rs`.
+//! written last decides; the speeds that they let jump do so together (`jump.rs`). What follows from the new memories and speeds, the gates of
+//! contacts and events that these let occur, is another pass at the same time. Ticks are counted: the next one is at k T, exactly, however
+//! many there were. Where steps are parted is `held.rs`.
 
 use super::Simulation;
 use super::held::EVENTS_PER_STEP;
@@ -115,6 +116,10 @@ where
         }
         let mut after = marked.gates.clone();
         model.assignments(time, &marked, &inputs, &mut after);
+        if let Some(place) = after.first_not_finite() {
+            return Err(SimulationError::NonFinite { time: time.to_f64(), what: self.contact(place) });
+        }
+        self.jump(occurring, &after)?;
         for place in 0..places.passing {
             put(after.as_mut_slice(), place, at(live.as_slice(), place));
         }
@@ -122,10 +127,7 @@ where
             let next = at(state.gates.as_slice(), place) + at(occurring.as_slice(), place);
             put(after.as_mut_slice(), place, next);
         }
-        match after.first_not_finite() {
-            None => Ok(after),
-            Some(place) => Err(SimulationError::NonFinite { time: time.to_f64(), what: self.contact(place) }),
-        }
+        Ok(after)
     }
 
     /// Where a step to `end` is to stop for a tick, if one is before.

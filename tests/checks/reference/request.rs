@@ -101,10 +101,10 @@ fn touching(text: &mut String, compiled: &Compiled, inputs: &Inputs, evaluate: &
     if count > 0 {
         told(Function::Guards, &["gaps", "laws"]);
     }
-    if !compiled.mechanism.memories.is_empty() {
+    if !compiled.mechanism.events.is_empty() {
         told(Function::Assignments, &["assignments"]);
     }
-    if compiled.mechanism.is_rigid() {
+    if compiled.mechanism.is_rigid() || compiled.mechanism.events.iter().any(|event| event.jump.is_some()) {
         told(Function::Strikes, &["gap_rates", "gap_biases", "restitutions"]);
     }
 }

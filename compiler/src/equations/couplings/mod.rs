@@ -140,7 +140,8 @@ pub fn multi_turn_rotors(mechanism: &Mechanism) -> Vec<Rotor> {
         if let Occasion::Passing(past, _) = &event.occasion {
             angles_in(past, &mut rotors);
         }
-        event.sets.iter().for_each(|(_, value)| angles_in(value, &mut rotors));
+        let jump = event.jump.iter().map(|jump| &jump.to);
+        event.sets.iter().map(|(_, value)| value).chain(jump).for_each(|value| angles_in(value, &mut rotors));
     }
     // The travel of a screw is its counted angle times the pitch.
     for (index, joint) in mechanism.joints.iter().enumerate() {
