@@ -128,6 +128,33 @@ pub(super) fn clamps_hold(mechanism: &Mechanism, wanted: &mut Wanted) {
     }
 }
 
+/// What the ground clamps has shapes that are clamped, and at the end that it clamps.
+pub(super) fn clamps_are_known(mechanism: &Mechanism, wanted: &mut Wanted) {
+    for (index, body) in mechanism.bodies.iter().enumerate() {
+        let Some(beam) = body.beam().filter(|beam| has_bending(beam)) else { continue };
+        let [start, end] = [0.0, beam.slender.length].map(|x| at(mechanism, index, beam.slender.from + x));
+        let clamps = |(id, _): &&(JointId, &Place)| {
+            let joint = &mechanism.joints[id.0];
+            let grounded =
+                [&joint.first, &joint.second].into_iter().any(|place| place.frame == Frame::Ground);
+            joint.form.keeps_orientation && grounded
+        };
+        let (name, shapes) = (&body.name.text, beam.slender.shapes);
+        let (at_start, at_end) = (start.iter().find(clamps), end.iter().find(clamps));
+        let said = |joint: &(JointId, &Place)| &mechanism.joints[joint.0.0].name.text;
+        let message = match (shapes, at_start, at_end) {
+            (Shapes::Free, Some(joint), _) | (Shapes::Free, _, Some(joint)) => {
+                messages::clamped_free_shapes(name, said(joint))
+            }
+            (Shapes::Clamped | Shapes::Static, None, Some(joint)) if start.is_empty() => {
+                messages::clamped_at_the_end(name, shapes.word(), said(joint))
+            }
+            _ => continue,
+        };
+        wanted.push(Lint::Slender, body.name.span, message);
+    }
+}
+
 /// The joints at a point of a beam, each with its place there.
 fn at(mechanism: &Mechanism, body: usize, x: f64) -> Vec<(JointId, &Place)> {
     let joints = mechanism.joints.iter().enumerate();

@@ -16,7 +16,7 @@ use crate::model::{
 };
 
 /// The warnings in the order they are reported.
-const WARNINGS: [fn(&Mechanism, &mut Wanted); 15] = [
+const WARNINGS: [fn(&Mechanism, &mut Wanted); 16] = [
     declarations_are_used,
     memories_are_set,
     bodies_are_connected,
@@ -32,6 +32,7 @@ const WARNINGS: [fn(&Mechanism, &mut Wanted); 15] = [
     super::gears::bodies_are_known,
     super::beams::beams_are_slender,
     super::beams::clamps_hold,
+    super::beams::clamps_are_known,
 ];
 
 /// All warnings of a mechanism without errors, and with these joints whose reactions are one of many.

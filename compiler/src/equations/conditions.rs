@@ -158,6 +158,8 @@ pub fn guesses(laws: &Laws) -> Vec<(Condition, Node)> {
         let rows = orientation(laws, start);
         guesses.extend(rows.into_iter().map(|(condition, _)| (condition, zero)));
     }
+    let unsaid = laws.mechanism.joints.iter().flat_map(|joint| unsaid_offsets(laws.mechanism, joint));
+    guesses.extend(unsaid.map(|coordinate| (condition(laws, &coordinate).0, zero)));
     guesses
 }
 
@@ -172,16 +174,30 @@ pub fn row_of(laws: &Laws, joint: JointId, form: &RowForm) -> Option<JointRow> {
     that_yield(laws, joint).into_iter().find(|row| row.form == form)
 }
 
-/// Whether `start` says where a joint with play stands in it.
-fn is_placed(mechanism: &Mechanism, joint: &Joint) -> bool {
-    let between = |ends: &[Place; 2]| {
-        ends[0].at == joint.first.at
-            && ends[1].at == joint.second.at
-            && ends[0].frame == joint.first.frame
-            && ends[1].frame == joint.second.frame
+/// What `start` says of where a joint with play stands in it: along axes, or how far from the middle.
+fn said_of_play<'m>(mechanism: &'m Mechanism, joint: &'m Joint) -> impl Iterator<Item = &'m Coordinate> {
+    let is = |a: &Place, b: &Place| a.at == b.at && a.frame == b.frame;
+    let between = move |a: &Place, b: &Place| is(a, &joint.first) && is(b, &joint.second);
+    let of = move |coordinate: &Coordinate| match coordinate {
+        Coordinate::Way(ends, _) => between(&ends[0], &ends[1]),
+        Coordinate::Distance(first, second) => between(first, second),
+        _ => false,
     };
-    let says = |coordinate: &Coordinate| matches!(coordinate, Coordinate::Way(ends, _) if between(ends));
-    joint.loose.is_some() && mechanism.start.iter().any(|start| says(&start.coordinate))
+    let said = mechanism.start.iter().filter(|start| !start.rate).map(|start| &start.coordinate);
+    said.filter(move |coordinate| joint.loose.is_some() && of(coordinate))
+}
+
+/// The offsets of a joint with play of which `start` says nothing although it says others: those are zero where nothing else decides.
+fn unsaid_offsets(mechanism: &Mechanism, joint: &Joint) -> Vec<Coordinate> {
+    let said: Vec<_> = said_of_play(mechanism, joint).collect();
+    let Some(ends) =
+        said.iter().find_map(|it| if let Coordinate::Way(ends, _) = it { Some(ends) } else { None })
+    else {
+        return Vec::new();
+    };
+    let axes = 0..mechanism.space.dimensions();
+    let all = axes.map(|axis| Coordinate::Way(ends.clone(), Box::new(Coordinate::along(axis))));
+    all.filter(|offset| !said.contains(&offset)).collect()
 }
 
 /// The conditions of `start`, in order of first mention; joints that yield are closed there, and stand still.
@@ -189,7 +205,8 @@ pub fn start_conditions(laws: &Laws) -> Conditions {
     let mut conditions = Conditions::default();
     let zero = laws.g.zero().bare;
     for (id, joint) in laws.mechanism.joints.iter().enumerate().filter(|(_, joint)| !joint.holds()) {
-        let position = (!joint.eased && !is_placed(laws.mechanism, joint)).then_some(zero);
+        let is_placed = said_of_play(laws.mechanism, joint).next().is_some();
+        let position = (!joint.eased && !is_placed).then_some(zero);
         let rate = (!joint.eased).then_some(zero);
         for row in that_yield(laws, JointId(id)) {
             let closing = condition(laws, &Coordinate::Closing(JointId(id), row.form));

@@ -347,6 +347,20 @@ pub(crate) fn clamp_that_turns(
     )
 }
 
+pub(crate) fn clamped_free_shapes(beam: &str, joint: &str) -> String {
+    format!(
+        "the `free` shapes of the beam `{beam}` bend as if nothing clamped it, and `{joint}` does: a few of them lack a third of how far a force at \
+         the other end deflects it. Write `shapes = clamped;` or `static`, whose start is where it is clamped, or `#[allow(slender)]` before it"
+    )
+}
+
+pub(crate) fn clamped_at_the_end(beam: &str, shapes: &str, joint: &str) -> String {
+    format!(
+        "the `{shapes}` shapes of the beam `{beam}` are clamped at its start, where nothing holds it, and `{joint}` clamps its end: let it begin there, \
+         with `start` and `end` exchanged, or write `#[allow(slender)]` before it"
+    )
+}
+
 /// At the start, or as a driver turns it after a time.
 pub(crate) fn fast_beam(beam: &str, rate: f64, natural: f64, driven: Option<f64>) -> String {
     let [turns, when] = match driven {

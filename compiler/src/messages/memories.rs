@@ -20,6 +20,10 @@ pub(crate) fn second_jump(event: &str) -> String {
     )
 }
 
+pub(crate) fn jump_closed_late(speed: &str) -> String {
+    format!("the value stands behind the parentheses: write `jump({speed}) = value;`")
+}
+
 pub(crate) fn jump_of_no_speed(name: &str) -> String {
     format!(
         "`{name}` cannot jump: only a speed can, such as `rail.speed`, `pin.rate` or `body.origin.velocity.x`; positions go on as they are"
@@ -43,7 +47,7 @@ pub(crate) fn driven_here(driver: &str) -> String {
 
 pub(crate) fn too_many_jumps(found: usize, most: usize) -> String {
     format!(
-        "{found} events let speeds jump, and {most} may: set several by one event less, or let memories switch loads"
+        "{found} events let speeds jump, and at most {most} may: let loads that a memory switches push instead"
     )
 }
 

@@ -308,6 +308,11 @@ impl Coordinate {
         first.into_iter().chain(second)
     }
 
+    /// The direction of an axis of a frame.
+    pub fn along(axis: usize) -> Vector {
+        [0, 1, 2].map(|k| Expr::Number(if k == axis { 1.0 } else { 0.0 }))
+    }
+
     /// Whether it has a value, and not a rate alone.
     pub fn has_value(&self) -> bool {
         !matches!(self, Self::Turn(..))

@@ -161,13 +161,17 @@ impl<'d> Lowering<'d> {
     }
 }
 
-/// What is not written of dry friction: it slides by the share that it holds by, and holds by the force that it slides with.
+/// What is not written of dry friction: it slides by the share that it holds by, or the other way round, and holds by the force that it slides
+/// with.
 fn slides_as_it_holds(load: &syntax::Load, values: &mut [Vec<Expr>]) {
     let written = |name: &str| load.named.labels().any(|label| label.text == name);
     let at = |name: &str| load.form.call.named.iter().position(|argument| argument.name == name);
     let sliding = if written("torque") { "torque" } else { "force" };
-    for (own, other) in [("kinetic", "static"), ("breakaway", sliding)] {
-        if let (false, Some(own), Some(other)) = (written(own), at(own), at(other)) {
+    for (own, other) in [("kinetic", "static"), ("static", "kinetic"), ("breakaway", sliding)] {
+        if written(own) || !written(other) {
+            continue;
+        }
+        if let (Some(own), Some(other)) = (at(own), at(other)) {
             values[own] = values[other].clone();
         }
     }

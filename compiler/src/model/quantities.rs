@@ -326,10 +326,7 @@ impl<'d> Lowering<'d> {
         let places = self.place(&first).zip(self.place(&second));
         Some(places.and_then(|(first, second)| {
             Found::position(match axis {
-                Some(axis) => {
-                    let direction = [0, 1, 2].map(|k| Expr::Number(if k == axis { 1.0 } else { 0.0 }));
-                    Coordinate::Way(Box::new([first, second]), Box::new(direction))
-                }
+                Some(axis) => Coordinate::Way(Box::new([first, second]), Box::new(Coordinate::along(axis))),
                 None => Coordinate::Distance(Box::new(first), Box::new(second)),
             })
         }))

@@ -73,6 +73,9 @@ impl Parser<'_> {
         c.advance();
         let mut inside = self.group(c, Delimiter::Parenthesis)?;
         let speed = self.path(&mut inside, "a speed or rate, such as `rail.speed`")?;
+        if inside.at_punct('=') {
+            return self.fail(inside.region(), messages::jump_closed_late(&speed.text));
+        }
         self.end(&inside, "`)`")?;
         self.punct(c, '=')?;
         let to = self.expression(c)?;

@@ -63,12 +63,20 @@ fn mistakes_of_events_are_named() {
         said(&with(statements), text);
     }
     for (sets, text) in [
-        ("{ }", "` sets nothing: write `{ memory = value; }` behind its condition, or leave it out"),
+        (
+            "{ }",
+            "` sets nothing: write `{ memory = value; }` or `{ jump(speed) = value; }` behind its condition, or leave it out",
+        ),
         (
             "{ p = 1 [s]; }",
-            "` is no memory, and events set memories only: declare another name by `memory NAME [unit] = value;`",
+            "` is no memory, and events set memories and let speeds jump, nothing else: declare another name by \
+             `memory NAME [unit] = value;`",
         ),
-        ("{ rail.speed = 1; }", "no quantity of `rail` can be set here"),
+        (
+            "{ rail.speed = 1; }",
+            "no quantity of `rail` can be set like that: events set memories, which `memory NAME [unit] = value;` declares, and let speeds \
+             jump, `jump(rail.…) = value;`",
+        ),
         (
             "{ m = 1; m = 2; }",
             "` twice, and all that it sets is of the values before it: leave one of both out",
@@ -87,7 +95,7 @@ fn mistakes_of_events_are_named() {
     let c = format!("{rises} {{ m = 1; }} options {{ export_c = f64; }}");
     said(
         &with(&c),
-        "the functions in C take whole steps and find no event within them, so that `m` would be set late",
+        "the functions in C take whole steps and find no event within them, so that `m` would be late",
     );
 }
 
@@ -105,17 +113,79 @@ fn what_makes_no_difference_is_warned_of() {
 /// What there is not yet is said to be so, with what to write instead; of two places both are shown.
 #[test]
 fn what_is_not_there_yet_is_refused() {
-    said(
-        &with("event e: every 1 [s] { m = 1; jump(rail.speed = 0); }"),
-        "` cannot make a velocity jump: events set memories only; let a load push that a memory switches on, or let a rigid contact strike, \
-         `contact NAME: between(…) = rigid(restitution = …);`",
-    );
     let rigid =
         "event e: every 1 [s] { m = 1; } limit stop: rail.travel [m] in -1..2 = rigid(restitution = 0);";
     said(&with(rigid), "` cannot be in one mechanism yet: give `");
-    said(&with(rigid), "memories such as `m` and rigid contacts such as `stop`");
+    said(&with(rigid), "memories and events such as `m` and rigid contacts such as `stop`");
     let twice = with("event e: every 1 [s] { m = 1; } event f: every 1000 [ms] { m = 2; }");
     said(&twice, "` is set here too");
+}
+
+#[test]
+fn mistakes_of_jumps_are_named() {
+    let rises = "event e: rail.travel rises 1 [m]";
+    for (sets, text) in [
+        (
+            "{ jump(rail.travel) = 1 [m]; }",
+            "`rail.travel` cannot jump: only a speed can, such as `rail.speed`, `pin.rate` or `body.origin.velocity.x`; positions go on as they \
+             are",
+        ),
+        ("{ jump(energy) = 1 [J]; }", "`energy` cannot jump"),
+        ("{ jump(rail.speed) = 1 [m]; }", "what `rail.speed` jumps to is given a length"),
+        ("{ jump(rail.sped) = 1 [m/s]; }", "`rail` has no quantity"),
+        (
+            "{ jump(rail.speed = 1 [m/s]); }",
+            "the value stands behind the parentheses: write `jump(rail.speed) = value;`",
+        ),
+        ("{ jump(2) = 1 [m/s]; }", "a speed or rate, such as `rail.speed`"),
+        (
+            "{ jump(rail.speed) = 1 [m/s]; jump(slider.rate) = 1 [rad/s]; }",
+            "`e` lets a second speed jump, and an event has one: write another event with the same condition, for all that occurs at one time \
+             jumps together",
+        ),
+    ] {
+        said(&slider(&format!("{rises} {sets}")), text);
+    }
+    let driven = slider(
+        "drive on: rail.travel = time*1 [m/s]; event e: time rises 1 [s] { jump(rail.speed) = 1 [m/s]; }",
+    );
+    let driven = driven.replace("start { rail.travel [m] = 0; rail.speed [m/s] = 1; }", "");
+    let text =
+        "`rail.speed` cannot jump, since `on` drives it: let the law of the driver jump, or another speed";
+    said(&driven, text);
+    said(&driven, "`on` drives it");
+    let many: String = (1..10)
+        .map(|k| format!("event e{k}: time rises {k} [s] {{ jump(rail.speed) = {k} [m/s]; }}"))
+        .collect();
+    said(
+        &slider(&many),
+        "9 events let speeds jump, and at most 8 may: let loads that a memory switches push instead",
+    );
+    let c = slider(&format!("{rises} {{ jump(rail.speed) = 0 [m/s]; }} options {{ export_c = f64; }}"));
+    said(&c, "so that `e` would be late");
+}
+
+/// A mechanism may have events that set nothing but speeds.
+#[test]
+fn jumps_need_no_memories() {
+    let source = slider(
+        "event out: rail.travel rises 1 [m] { jump(rail.speed) = -0.5*rail.speed; }
+         event tick: every 1 [s] { jump(rail.speed) = 2 [m/s]; }",
+    );
+    let compiled = compile(source.parse().expect("tokens"), None).unwrap_or_else(|found| panic!("{found}"));
+    let names: Vec<&str> = compiled.mechanism.held_names().iter().map(|name| name.text.as_str()).collect();
+    assert_eq!(names, ["out", "tick"]);
+    let mut at = linkwright_compiler::schedule::Inputs {
+        parameters: vec![1.0],
+        q: vec![0.25],
+        v: vec![3.0],
+        inputs: vec![0.0],
+        gates: vec![1.0, 0.0],
+        ..Default::default()
+    };
+    at.prepared = run(compiled.programs.get(Function::Prepare), &at);
+    assert_eq!(run(compiled.programs.get(Function::Assignments), &at), [-1.5, 2.0]);
+    assert_eq!(run(compiled.programs.get(Function::Strikes), &at), [3.0, 3.0, 0.0, 0.0, 1.0, 1.0]);
 }
 
 /// The same event twice is refused only where both are sure to be at one time.

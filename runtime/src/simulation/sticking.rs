@@ -148,8 +148,11 @@ fn left<R: Real, M: Mechanism<R>>(
     })
 }
 
+/// The largest in size; no number where one of them is none.
 fn largest<R: Real>(of: &[R]) -> R {
-    of.iter().fold(R::ZERO, |largest, x| largest.max(x.abs()))
+    let (largest, none) =
+        of.iter().fold((R::ZERO, R::ZERO), |(largest, none), x| (largest.max(x.abs()), none + (*x - *x)));
+    largest + none
 }
 
 impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m, M, R, F, S> {
@@ -176,9 +179,17 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
             None => {
                 let none = R::from_f64(f64::NAN);
                 *a = a.scaled(none);
-                state.gates.scaled(none)
+                // Where bounds are no numbers nothing is locked.
+                if self.unbounded(&place).is_some() { state.gates.clone() } else { state.gates.scaled(none) }
             }
         }
+    }
+
+    /// The first whose bounds are no numbers.
+    #[cold]
+    fn unbounded(&self, place: &Place<'_, R, M>) -> Option<usize> {
+        let moved = self.moved(place, M::Gates::zeros(self.model.gate_names().len()));
+        moved.holding.first_not_finite().or(moved.sliding.first_not_finite())
     }
 
     fn moved(&self, place: &Place<'_, R, M>, forces: M::Gates) -> Moved<R, M> {
@@ -207,8 +218,8 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
         let mut moved = self.moved(place, begin);
         let size = |forces: &M::Gates| forces.max_abs().max(R::from_f64(LEAST));
         let open = left(held, None, &moved);
-        if stuck == 0 && !R::any(largest(&open).greater(R::from_f64(64.0) * R::EPSILON * size(&moved.forces)))
-        {
+        let nothing = R::from_f64(64.0) * R::EPSILON * size(&moved.forces);
+        if stuck == 0 && R::any(largest(&open).less_equal(nothing)) {
             return Some(moved);
         }
         let enough = R::from_f64(CHANGE).max(R::from_f64(64.0) * R::EPSILON);
@@ -351,7 +362,11 @@ where
         let (held, forces) = loop {
             let place = Place { time, state: &state, inputs: &inputs };
             let Some((mut held, moved)) = self.dynamics.sought(&place, resting) else {
-                return Err(SimulationError::Locked { friction: self.contact(0), time: time.to_f64() });
+                let time = time.to_f64();
+                return Err(match self.dynamics.unbounded(&place) {
+                    Some(which) => SimulationError::NonFinite { time, what: self.contact(which) },
+                    None => SimulationError::Locked { friction: self.contact(0), time },
+                });
             };
             let stuck = sticking::<R, _>(&held, count);
             if stuck == 0 {

@@ -2,7 +2,7 @@
 
 linkwright::mechanism! {
     /// A sampled controller holds the force on one slider; a latch catches another, which has a stop and remembers how it was caught; a pendulum
-    /// counts its swings.
+    /// counts its swings. The bolt is thrown back once.
     pub planar Remembering {
         param target [m] = 0.2;
         param stiffness [N/m] = 200;
@@ -30,6 +30,7 @@ linkwright::mechanism! {
         event latch: bore.travel rises 0.1 [m] { engaged = 1; touched = bore.speed; }
         event off: bore.travel falls 0.1 [m] { engaged = 0; }
         event swing: pivot.angle crosses -90 [deg] { swings = swings + 1; most = max(most, 2 [N*s/rad]*abs(pivot.rate)); }
+        event kicked: time rises 1.3 [s] { jump(bore.speed) = 0.1 [m/s] - 0.5*bore.speed; }
         event pushed: time rises 0.6 [s] { most = 2*pull; }
         force motor: along(rail.travel) = held;
         force spring: along(bore.travel) = -stiffness*engaged*(bore.travel - 0.1 [m]);

@@ -27,7 +27,7 @@ pub static LOAD: LoadKind = LoadKind {
             elsewhere: &[],
             positional: &[],
             named: &[
-                Argument::of("coefficient", Need::Always, Value::Law(Dimension::ONE)).restoring(),
+                Argument::of("coefficient", Need::Always, Value::Law(Dimension::ONE)).not_negative(),
                 Argument::of("stiffness", Need::Always, STIFFNESS).positive(),
                 Argument::of("speed", Need::Always, SPEED).positive(),
                 RADIUS,

@@ -13,7 +13,7 @@ use super::{bearing, pressed, slips, touching};
 use crate::equations::laws::Laws;
 use crate::equations::loads::{LoadKind, LoadTerms, along, no_rotors};
 use crate::forms::{Acts, Argument, Form, Law, LoadForm, Need, Value};
-use crate::model::{Load, LoadId};
+use crate::model::{Expr, Load, LoadId};
 use crate::symbolic::{Node, Scalar};
 use crate::units::Dimension;
 
@@ -24,16 +24,16 @@ pub static LOAD: LoadKind = LoadKind {
             elsewhere: &[],
             positional: &[],
             named: &[
-                Argument::scalar("static", Need::Never, Dimension::ONE).restoring(),
-                Argument::scalar("kinetic", Need::Never, Dimension::ONE).restoring(),
+                Argument::scalar("static", Need::Never, Dimension::ONE).not_negative(),
+                Argument::scalar("kinetic", Need::Never, Dimension::ONE).not_negative(),
                 RADIUS,
                 LENGTH,
                 SHOULDER,
                 Argument::of("preload", Need::Never, Value::Law(Dimension::FORCE)).not_negative(),
-                Argument::of("force", Need::Never, Value::Law(Dimension::FORCE)).restoring(),
-                Argument::of("torque", Need::Never, Value::Law(Dimension::TORQUE)).restoring(),
+                Argument::of("force", Need::Never, Value::Law(Dimension::FORCE)).not_negative(),
+                Argument::of("torque", Need::Never, Value::Law(Dimension::TORQUE)).not_negative(),
                 Argument::of("breakaway", Need::Never, Value::Along { effort: true, way: 0, time: 0 })
-                    .restoring(),
+                    .not_negative(),
             ],
         },
         instead: None,
@@ -84,7 +84,8 @@ pub fn slidings(laws: &Laws, load: &Load) -> Vec<[Node; 2]> {
 
 /// μ_s and μ_k of the dry friction of a contact.
 pub fn shares(laws: &Laws, load: &Load) -> [Node; 2] {
-    ["static", "kinetic"].map(|name| laws.value(load.named(name)).bare)
+    let [holds, slides] = ["static", "kinetic"].map(|name| laws.value(load.named(name)));
+    ordered(laws, load, holds, slides)
 }
 
 /// Of the dry friction of a joint the most that it holds with, and what it slides with, N or N m.
@@ -96,5 +97,16 @@ pub fn bounds(laws: &Laws, load: &Load) -> [Node; 2] {
     let slides = named("force") + named("torque");
     let own = [named("breakaway"), slides];
     let shares = ["static", "kinetic"].map(named);
-    [0, 1].map(|which| (own[which] + shares[which] * by_load).bare)
+    let [holds, slides] = [0, 1].map(|which| own[which] + shares[which] * by_load);
+    ordered(laws, load, holds, slides)
+}
+
+/// What would push does nothing, and what slides holds with as much at least; of numbers that is checked.
+fn ordered<'g>(laws: &Laws<'g>, load: &Load, holds: Scalar<'g>, slides: Scalar<'g>) -> [Node; 2] {
+    let mut written = load.form.call.named.iter().map(|argument| load.named(argument.name));
+    if written.all(|value| matches!(value, Expr::Number(_))) {
+        return [holds.bare, slides.bare];
+    }
+    let slides = slides.max(laws.g.zero());
+    [holds.max(slides).bare, slides.bare]
 }
