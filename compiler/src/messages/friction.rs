@@ -37,7 +37,7 @@ pub(crate) fn dry_beside_rigid(name: &str, rigid: &str) -> String {
 
 pub(crate) fn dry_beside_memory(name: &str, memory: &str) -> String {
     format!(
-        "memories such as `{memory}` and the `dry` friction `{name}` of a joint cannot be in one mechanism yet: leave the memories out, or write \
+        "memories and events such as `{memory}` and the `dry` friction `{name}` of a joint cannot be in one mechanism yet: leave these out, or write \
          `lugre` or `asperity` there"
     )
 }

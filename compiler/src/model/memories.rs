@@ -252,8 +252,7 @@ impl<'d> Lowering<'d> {
     /// What memories and events cannot be together with yet.
     fn beside_memories(&mut self) {
         let definition = self.definition;
-        let memories = definition.memories.iter().map(|memory| &memory.name);
-        let Some(name) = memories.chain(definition.events.iter().map(|event| &event.name)).next() else {
+        let Some(name) = definition.memory_or_event() else {
             return;
         };
         let rigid = (0..definition.contacts.len()).find(|index| self.is_rigid_contact(*index));

@@ -76,6 +76,14 @@ pub struct Definition {
     pub outputs: Vec<Output>,
 }
 
+impl Definition {
+    /// The first of what is held between events, or sets it.
+    pub fn memory_or_event(&self) -> Option<&Label> {
+        let memories = self.memories.iter().map(|memory| &memory.name);
+        memories.chain(self.events.iter().map(|event| &event.name)).next()
+    }
+}
+
 /// `const NAME [unit] = value;`
 #[derive(Clone, Debug)]
 pub struct Constant {

@@ -272,7 +272,7 @@ const CLASSES: [&str; 14] = [
     "mesh shaft",
     "memory state param const",
     "static kinetic breakaway torque force preload restitution rest",
-    "rises falls crosses every",
+    "rises falls crosses every jump",
     "force torque spring damper torsion_spring",
     "mass inertia length radius width height density center size point marker",
 ];

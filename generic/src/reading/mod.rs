@@ -92,8 +92,10 @@ pub(crate) fn read(tree: &Value, given: &HashMap<String, f64>) -> Read<Definitio
         counted: Vec::new(),
         tables: HashMap::new(),
     };
-    if let Some(memory) = list(tree, "memories", "memories")?.first() {
-        return Err(DefinitionError::not_there_yet(name(memory, "memories")?, "memories and events"));
+    for held in ["memories", "events"] {
+        if let Some(first) = list(tree, held, held)?.first() {
+            return Err(DefinitionError::not_there_yet(name(first, held)?, "memories and events"));
+        }
     }
     let inputs = list(tree, "inputs", "inputs")?;
     let inputs = inputs.iter().map(|input| name(input, "inputs")).collect::<Read<Vec<_>>>()?;
