@@ -132,7 +132,7 @@ fn unit(definition: &Definition, dimension: Dimension) -> (String, f64) {
     found.map_or_else(|| (dimension.to_string(), 1.0), |unit| (unit.text.clone(), unit.scale))
 }
 
-/// Centres of mass, unless `start` mentions them.
+/// Centres of mass, of what bends the origins of its frame, unless `start` mentions them.
 fn centers(
     definition: &Definition,
     compiled: &Compiled,
@@ -145,8 +145,9 @@ fn centers(
     let axes = compiled.mechanism.space.dimensions();
     for (body, motion) in compiled.mechanism.bodies.iter().zip(&equations.motions) {
         point.evaluate(&Ancestry::of(equations, motion.position.iter().copied()));
+        let place = if body.deforms.is_some() { "origin" } else { "center" };
         for (axis, node) in ["x", "y", "z"].iter().zip(&motion.position).take(axes) {
-            let name = format!("{}.center.{axis}", body.name.text);
+            let name = format!("{}.{place}.{axis}", body.name.text);
             if known.iter().all(|known| known.value.name != name) {
                 let value = Value { name, value: point.get(*node) / scale, unit: unit.clone() };
                 found.push(Found { value, given: Given::Nothing });
