@@ -259,6 +259,62 @@ fn a_brake_holds_by_an_input() {
     close(simulation.sample().outputs.rate, 0.0, 0.0, "held again");
 }
 
+/// A wheel of 0.01 kg m² at 100 rad/s under a brake whose torque is an input, above or below what is written to hold.
+fn wheel(torque: f64) -> Result<[f64; 2], SimulationError> {
+    let source = "planar Wheel {
+        input pedal [N*m];
+        body wheel { mass [kg] = 1; inertia [kg*m^2] = 0.01; }
+        joint axle: revolute(ground(0, 0) [m], wheel.origin);
+        friction drum: on(axle) = dry(torque = pedal, breakaway [N*m] = 2);
+        start { axle.angle [rad] = 0; axle.rate [rad/s] = 100; }
+        output rate [rad/s] = axle.rate; output torque [N*m] = drum.torque; }";
+    let engine = Engine::read(source).unwrap_or_else(|found| panic!("{found}"));
+    let mut simulation = Simulation::new(&engine, engine.start()).constant(Numbers::of(&[torque])).step(1e-2);
+    simulation.advance_until(0.4)?;
+    let outputs = simulation.sample().outputs;
+    Ok([outputs.as_slice()[0], outputs.as_slice()[1]])
+}
+
+/// What would push does nothing; what slides with more than is written to hold with holds with that; no number is an error.
+#[test]
+fn a_brake_takes_any_input() {
+    let [rate, torque] = wheel(-40.0).expect("it turns");
+    close(rate, 100.0, 1e-12, "rate");
+    close(torque, 0.0, 0.0, "torque");
+    let [rate, _] = wheel(1.0).expect("it slows down");
+    close(rate, 60.0, 1e-9, "rate");
+    let [rate, torque] = wheel(5.0).expect("it stands");
+    close(rate, 0.0, 0.0, "rate");
+    close(torque, 0.0, 1e-12, "torque");
+    for none in [f64::NAN, f64::INFINITY] {
+        let error = wheel(none).expect_err("no number");
+        assert!(matches!(error, SimulationError::NonFinite { .. }), "{error}");
+    }
+}
+
+/// One share alone is both.
+#[test]
+fn what_slides_holds_with_the_same() {
+    let of = |shares: &str| {
+        let source = format!(
+            "planar Slope {{ gravity [m/s^2] = (-4, -9);
+             body block {{ mass [kg] = 2; inertia [kg*m^2] = 0.01; }}
+             joint rail: prismatic(ground(0, 0) [m], block.center, axis = (1, 0));
+             friction rub: on(rail) = dry({shares});
+             start {{ rail.travel [m] = 0; rail.speed [m/s] = 1; }} output x [m] = rail.travel; output force [N] = rub.force; }}"
+        );
+        let engine = Engine::read(&source).unwrap_or_else(|found| panic!("{found}"));
+        let mut simulation = Simulation::new(&engine, engine.start()).constant(engine.no_inputs()).step(1e-2);
+        simulation.advance_until(0.5).expect("it stands");
+        simulation.sample().outputs.as_slice().to_vec()
+    };
+    let found = of("kinetic = 0.5");
+    // v²/2(μ g + 4), then what is asked.
+    close(found[0], 0.5 / 8.5, 1e-12, "where it stands");
+    close(found[1].abs(), 8.0, 1e-11, "what holds it");
+    assert_eq!(found, of("static = 0.5"));
+}
+
 /// Everything in one mechanism: energy is balanced, and interpreted it moves to the same bits.
 #[test]
 fn the_interpreter_brakes_alike() {

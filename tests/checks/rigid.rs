@@ -449,6 +449,20 @@ fn more_than_can_be_sought_for_is_named() {
     assert_eq!(error.joint(), Some("fifth"));
 }
 
+/// Parameters are free to say what no restitution is.
+#[test]
+fn restitutions_of_parameters_are_from_0_to_1() {
+    for share in [1.5, -0.1, f64::NAN] {
+        let Ok(model) = RowByNewton::prepare(RowByNewtonParameters { first: share, second: 0.5 }) else {
+            assert!(share.is_nan(), "{share}");
+            continue;
+        };
+        let (error, text) = refused(&model, RowByNewton::START, 2.0);
+        assert!(matches!(error, SimulationError::Setting(_)), "{error}");
+        assert!(text.contains("ab is ") && text.contains("it must be a restitution from 0 to 1"), "{text}");
+    }
+}
+
 #[test]
 fn what_a_drive_holds_against_a_stop_is_named() {
     let (error, text) = refused(&Pushed::default(), Pushed::START, 1.0);

@@ -8,7 +8,7 @@
 use super::Simulation;
 use super::complementarity::{Few, Problem, RIGID_TOUCHING, ROWS, Rub, Way};
 use super::rigid::{Held, Strikes, grips, near, pressed_by, still, strikes};
-use crate::error::SimulationError;
+use crate::error::{SettingError, SimulationError};
 use crate::formulation::Formulation;
 use crate::input::InputSource;
 use crate::integrator::Method;
@@ -145,6 +145,12 @@ where
         });
         if closes {
             let shares = shares.as_slice();
+            // Parameters may say anything.
+            let is_share = |share: R| R::any(share.greater_equal(R::ZERO) & share.less_equal(R::ONE));
+            if let Some((_, i)) = touching.gaps().find(|(_, i)| !is_share(at(shares, *i))) {
+                let (what, value) = (self.contact(i), at(shares, i).to_f64());
+                return Err(SettingError { what, value, must_be: "a restitution from 0 to 1" }.into());
+            }
             // What rests has no speed to part with; by Poisson's law it has an impulse.
             let bounces = |i: usize| model.parts_by_impulses() || !closed(i);
             let share = |i: usize| if bounces(i) { at(shares, i) } else { R::ZERO };
