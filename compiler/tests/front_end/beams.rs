@@ -419,3 +419,34 @@ fn frequencies_that_are_expected() {
         assert!(found.contains("error") && found.contains(said), "{expectation}: {found}");
     }
 }
+
+/// What the ground clamps has shapes that know of a clamp, at the end that it clamps.
+#[test]
+fn clamps_of_the_ground_are_known() {
+    let told = |shapes: &str, joints: &str| {
+        let source = format!(
+            "planar Cantilever {{ gravity [m/s^2] = (0, -9.81); beam rod {{ length [m] = 1; section = circle(diameter [mm] = 10); young [GPa] = 210;
+             density [kg/m^3] = 7800; {shapes} }} {joints} output y [m] = rod.center.y; }}"
+        );
+        warnings(&source).to_string()
+    };
+    let (start, end) =
+        ("joint foot: fixed(ground(0, 0) [m], rod.start);", "joint foot: fixed(ground(0, 0) [m], rod.end);");
+    for joints in [start, end] {
+        let found = told("", joints);
+        let said = "the `free` shapes of the beam `rod` bend as if nothing clamped it, and `foot` does: a few of them lack a third of how far a \
+            force at the other end deflects it. Write `shapes = clamped;` or `static`, whose start is where it is clamped, or `#[allow(slender)]` \
+            before it";
+        assert!(found.contains(said), "{found}");
+    }
+    for shapes in ["clamped", "static"] {
+        let written = format!("shapes = {shapes};");
+        assert_eq!(told(&written, start), "", "{shapes}");
+        let found = told(&written, end);
+        let said = format!(
+            "the `{shapes}` shapes of the beam `rod` are clamped at its start, where nothing holds it, and `foot` clamps its end: let it begin \
+             there, with `start` and `end` exchanged, or write `#[allow(slender)]` before it"
+        );
+        assert!(found.contains(&said), "{found}");
+    }
+}

@@ -132,7 +132,7 @@ fn mistakes_of_jumps_are_named() {
         ),
         ("{ jump(energy) = 1 [J]; }", "`energy` cannot jump"),
         ("{ jump(rail.speed) = 1 [m]; }", "what `rail.speed` jumps to is given a length"),
-        ("{ jump(rail.sped) = 1 [m/s]; }", "`rail` has no quantity"),
+        ("{ jump(rail.sped) = 1 [m/s]; }", "the prismatic joint `rail` has no sped; it has travel, speed"),
         (
             "{ jump(rail.speed = 1 [m/s]); }",
             "the value stands behind the parentheses: write `jump(rail.speed) = value;`",
