@@ -1,6 +1,6 @@
 //! Beams: what is warned of, and what is not.
 
-use crate::bad;
+use crate::{bad, warnings};
 use linkwright_compiler::compile;
 use std::f64::consts::PI;
 
