@@ -87,6 +87,13 @@ impl Expr {
 }
 
 impl Condition {
+    /// Whether time or the motion changes what is compared.
+    pub fn moves(&self) -> bool {
+        let mut moves = false;
+        self.visit(&mut |part| moves |= matches!(part, Expr::Time | Expr::Quantity(_) | Expr::Rate(_)));
+        moves
+    }
+
     fn visit<'e>(&'e self, found: &mut dyn FnMut(&'e Expr)) {
         match self {
             Condition::Compare(_, x, y) => [x, y].into_iter().for_each(|operand| operand.visit(found)),
@@ -144,29 +151,6 @@ pub enum Function2 {
     Min,
     Max,
     Atan2,
-}
-
-impl Function1 {
-    /// Its name, where its slope or its value jumps.
-    pub fn with_corner(self) -> Option<&'static str> {
-        match self {
-            Function1::Abs => Some("abs"),
-            Function1::Sign => Some("sign"),
-            Function1::Floor => Some("wrap"),
-            _ => None,
-        }
-    }
-}
-
-impl Function2 {
-    /// Its name, where its slope jumps.
-    pub fn with_corner(self) -> Option<&'static str> {
-        match self {
-            Function2::Min => Some("min"),
-            Function2::Max => Some("max"),
-            _ => None,
-        }
-    }
 }
 
 /// A kinematic or dynamic quantity of the mechanism.

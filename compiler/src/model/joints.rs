@@ -1,6 +1,7 @@
 //! Joints: places, axes, lines.
 
 use super::fold;
+use super::kinks::{self, Kink};
 use super::lower::{Lowering, Use, name};
 use super::names::Part;
 use super::unused::Scope;
@@ -144,12 +145,10 @@ impl<'d> Lowering<'d> {
         let parameter = Quantity::Coordinate(Coordinate::Travel(JointId(index), 0));
         let Some(entry) = joint.named.entry(argument.name) else { return Some(Expr::Quantity(parameter)) };
         let value = self.entry(entry, dimension, Use::CURVE, argument.name)?;
-        let (mut foreign, mut corner) = (false, None);
+        let mut foreign = false;
         value.visit(&mut |part| match part {
             Expr::Quantity(quantity) => foreign |= *quantity != parameter,
             Expr::Rate(_) => foreign = true,
-            Expr::Unary(function, _) => corner = corner.or(function.with_corner()),
-            Expr::Binary(function, ..) => corner = corner.or(function.with_corner()),
             _ => {}
         });
         let (name, region) = (&joint.name.text, entry.value.region);
@@ -157,11 +156,13 @@ impl<'d> Lowering<'d> {
             self.diagnostics.error(region, messages::curve_of_others(name, argument.name));
             return None;
         }
-        if let Some(corner) = corner {
-            self.diagnostics.error(region, messages::curve_with_corner(name, argument.name, corner));
-            return None;
-        }
-        Some(value)
+        let message = match kinks::first(&value) {
+            None => return Some(value),
+            Some(Kink::Corner(word)) => messages::curve_with_corner(name, argument.name, word),
+            Some(Kink::Choice(word)) => messages::curve_by_choice(name, argument.name, word),
+        };
+        self.diagnostics.error(region, message);
+        None
     }
 
     /// A curve changes with its parameter.

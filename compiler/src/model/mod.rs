@@ -18,6 +18,7 @@ mod functions;
 pub mod gears;
 mod hysteresis;
 mod joints;
+mod kinks;
 mod loads;
 mod lower;
 mod memories;

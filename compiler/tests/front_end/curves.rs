@@ -37,6 +37,15 @@ fn a_curve_is_made_of_its_own_parameter() {
         ("y = min(wire.parameter, 1 [m]))", "has a corner by `min`"),
         ("x = max(wire.parameter, 1 [m]), y = wire.parameter)", "`x` of `wire` has a corner by `max`"),
         ("y = sign(wire.parameter)*1 [m])", "has a corner by `sign`"),
+        (
+            "y = if(wire.parameter > 0, wire.parameter, 0))",
+            "`y` of `wire` goes over from one function to another by `if`, where its point could jump or have no velocity: write one smooth \
+             function, such as `smoothstep`, or a `table` by a spline",
+        ),
+        ("y = step(k*wire.parameter)*1 [m])", "to another by `step`"),
+        ("y = if(k > 1 [1/m], abs(wire.parameter), 0))", "has a corner by `abs`"),
+        ("y = smoothstep(abs(wire.parameter), 0, 1 [m])*1 [m])", "has a corner by `abs`"),
+        ("y = max(smoothstep(wire.parameter, 0, 1 [m]), 0.5)*1 [m])", "has a corner by `max`"),
         ("y = bend(wire.parameter))", "bend"),
         (
             "y = arm.end.y)",
@@ -57,6 +66,15 @@ fn a_curve_is_made_of_its_own_parameter() {
         let found: Vec<&str> = found.iter().map(|error| error.message.as_str()).collect();
         assert!(matches!(found[..], [message] if message.contains(expected)), "{found:?}, not {expected}");
     }
+}
+
+#[test]
+fn a_curve_may_be_made_of_what_is_smooth() {
+    assert_eq!(all(&wire("y = smoothstep(k*wire.parameter, -1, 1)*1 [m])")), "");
+    assert_eq!(
+        all(&wire("y = if(k > 1 [1/m], wire.parameter, 0) + abs(k)*wire.parameter*wire.parameter)")),
+        ""
+    );
 }
 
 #[test]
