@@ -142,6 +142,14 @@ pub fn curve_stands(joint: &str, parameter: f64) -> String {
     )
 }
 
+pub fn curve_without(joint: &str, argument: &str, what: &str, parameter: f64) -> String {
+    format!(
+        "`{argument}` of \"{joint}\" has no {what} at the start, where `{joint}.parameter` is {}: start at another parameter, or write a function \
+         that has one there",
+        number(parameter)
+    )
+}
+
 pub fn counted_and_yielding(joint: &str) -> String {
     format!(
         "the turns of \"{joint}\" are counted, because a law, driver or coupling uses its angle, and in space only the angle of a joint \

@@ -104,6 +104,28 @@ fn a_curve_that_is_no_graph_carries_a_body() {
 }
 
 #[test]
+fn a_curve_is_a_number_where_it_starts() {
+    let at = |start: &str, function: &str| {
+        all(&wire(&format!("y = {function})"))
+            .replace("wire.parameter [m] = 0.1", &format!("wire.parameter [m] = {start}")))
+    };
+    let expected = "`y` of \"wire\" has no value at the start, where `wire.parameter` is -0.3: start at another parameter, or write a \
+                    function that has one there";
+    assert!(at("-0.3", "ln(k*wire.parameter)*1 [m]").contains(expected));
+    for (start, function, what) in [
+        ("-0.3", "sqrt(wire.parameter*1 [m])", "no value"),
+        ("1.5", "1 [m]*asin(wire.parameter/(1 [m]))/(1 [rad])", "no value"),
+        ("0", "1 [m^2]/wire.parameter", "no value"),
+        ("0", "sqrt(wire.parameter*1 [m])", "no slope"),
+        ("0", "1 [m]*(k*wire.parameter)^1.5", "no curvature"),
+    ] {
+        let found = at(start, function);
+        assert!(found.contains(what) && !found.contains("no mass"), "{function}: {found}");
+        assert_eq!(at("0.5", function), "", "{function}");
+    }
+}
+
+#[test]
 fn a_table_that_ends_is_asked_within() {
     let source =
         wire("y = rail(wire.parameter))").replace("wire.parameter [m] = 0.1", "wire.parameter [m] = 1.4");

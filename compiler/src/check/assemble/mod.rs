@@ -44,7 +44,7 @@ pub use point::{Ancestry, Point, live, retract};
 pub use scales::row_scales;
 pub use statics::deflected;
 
-use super::messages;
+use super::{curves, messages};
 use crate::diagnostics::Diagnostics;
 use crate::equations::{Ball, Condition, Conditions, Equations, Linear, Omitted, Rotation, RowOfJoint};
 use crate::model::{BodyId, Coordinate, Deforms, JointId, Mechanism, Rotor, Space};
@@ -95,6 +95,7 @@ pub fn assemble(
     let assembled = attempts::settle_turns(&problem, &mut point, assembled);
     let assembled = teeth::meet(mechanism, &problem, &mut point, assembled, errors)?;
     let q = assembled.q;
+    curves::numbers(mechanism, equations, &q, errors)?;
     let phases = phases(mechanism, equations, &mut point, &q);
     point.set(&equations.symbols.phases, &phases);
 

@@ -139,6 +139,17 @@ pub fn point(laws: &Laws, id: JointId, parameter: f64) -> Pair {
     curve(laws, &laws.mechanism.joints[id.0], &parameter).map(|of| of.jet.value)
 }
 
+/// u and, of x and of y, the value and the first two derivatives by u.
+pub fn derivatives(laws: &Laws, id: JointId) -> (Node, [[Node; 3]; 2]) {
+    let g = laws.g;
+    let parameter = laws.plane().travel(laws, id, 0).jet.value;
+    // Of what moves by itself at the rate of one.
+    let alone = Jet { drift: g.one().bare, ..Jet::constant(g.on(parameter)) };
+    let moving = g.zero().moving(laws.kinematics().bare.velocities(), alone);
+    let curve = curve(laws, &laws.mechanism.joints[id.0], &moving);
+    (parameter, curve.map(|of| [of.jet.value, of.jet.drift, of.jet.bias]))
+}
+
 /// c(u), in the axes of the first body.
 fn curve<'g>(laws: &Laws<'g>, joint: &Joint, parameter: &Moving<'g>) -> [Moving<'g>; 2] {
     [0, 1].map(|axis| function(laws, joint, axis, parameter))
