@@ -1,7 +1,7 @@
 //! Of surfaces, contacts, limits and their laws.
 
 use super::{number, quoted};
-use crate::forms::Space;
+use crate::forms::{Form, Space};
 
 pub(crate) fn surface_of_other_space(word: &str, space: Space, known: &[&str]) -> String {
     let (here, other) = match space {
@@ -15,6 +15,14 @@ pub(crate) fn unknown_contact(word: &str) -> String {
     format!(
         "a contact is `between(surface, surface)` or, for any other geometry, `gap(expression)` of positions that is negative in \
          contact; found `{word}`"
+    )
+}
+
+pub(crate) fn contact_by_penalty(name: &str, laws: &[&Form]) -> String {
+    let laws: Vec<String> = laws.iter().map(|law| format!("`{}`", law.word)).collect();
+    format!(
+        "by a `penalty` a joint without play yields, and `{name}` is a contact: it has a law of its depth, one of {}",
+        laws.join(", ")
     )
 }
 
@@ -202,6 +210,13 @@ pub(crate) fn quantities_of_contact(name: &str, space: Space) -> String {
         Space::Spatial => "`.sliding.x`, `.point.x` and so on to `.z`",
     };
     format!("a contact has `{name}.gap`, `.depth`, `.closing`, `.force`, {axes}, and `power({name})`")
+}
+
+pub(crate) fn contact_by_quantity(name: &str, contact: &str) -> String {
+    format!(
+        "`{name}` cannot stand here: what `{contact}` is like follows from where its bodies are, so state or drive their angles, travels and \
+         positions"
+    )
 }
 
 pub(crate) fn play_of_joint(kind: &str, space: Space) -> String {

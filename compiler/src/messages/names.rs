@@ -165,6 +165,22 @@ pub(crate) fn no_quantities(name: &str, kind: &str) -> String {
     format!("`{name}` is {kind} and has no quantities")
 }
 
+/// Where an angle, a travel, a position or a rate is asked for: at the start, or of a driver.
+pub(crate) fn value_as_quantity(name: &str, kind: &str) -> String {
+    let stands = match kind {
+        "a memory" => {
+            format!("starts with the number that it is declared with, `memory {name} [unit] = value;`")
+        }
+        "a state" => {
+            format!("starts with the number that it is declared with, `state {name} [unit] = value;`")
+        }
+        "a parameter" => format!("has the default that it is declared with, `param {name} [unit] = value;`"),
+        "an input" => "is given from outside, at each instant".to_string(),
+        _ => "has the value that it is declared with".to_string(),
+    };
+    format!("`{name}` is {kind} and {stands}: only angles, travels, positions and their rates can stand here")
+}
+
 pub(crate) fn part_as_value(name: &str, kind: &str) -> String {
     let example = match kind {
         "a body" => format!("`{name}.angle` or `{name}.center.x`"),

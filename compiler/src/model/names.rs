@@ -18,6 +18,20 @@ pub(super) enum Value {
     Signal(usize),
 }
 
+impl Value {
+    /// For messages.
+    pub fn kind(self) -> &'static str {
+        match self {
+            Self::Constant(_) => "a constant",
+            Self::Parameter(_) => "a parameter",
+            Self::Input(_) => "an input",
+            Self::State(_) => "a state",
+            Self::Memory(_) => "a memory",
+            Self::Signal(_) => "a signal",
+        }
+    }
+}
+
 /// A part by name; indices into the definition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Part {

@@ -160,6 +160,10 @@ impl<'d> Lowering<'d> {
                 self.of_equation(ConstraintId(index), path)
             }
             Some(Part::Load(index)) => self.of_load(LoadId(index), path),
+            Some(Part::Contact(_)) => {
+                self.diagnostics.error(path.region, messages::contact_by_quantity(&path.text, &head.text));
+                None
+            }
             Some(other) => {
                 self.diagnostics.error(path.region, messages::no_quantities(&head.text, other.kind()));
                 None
@@ -189,7 +193,10 @@ impl<'d> Lowering<'d> {
                         messages::joint_as_value(text, &names)
                     }
                     Some(part) => messages::part_as_value(text, part.kind()),
-                    None => self.names.unknown("value", text, self.names.similar_value(text)),
+                    None => match self.names.value(text) {
+                        Some(value) => messages::value_as_quantity(text, value.kind()),
+                        None => self.names.unknown("value", text, self.names.similar_value(text)),
+                    },
                 };
                 self.diagnostics.error(path.region, message);
                 None

@@ -135,6 +135,14 @@ impl Parser<'_> {
             let start = c.region();
             let (which, arguments) = self.call_of(c, &forms, "law")?;
             ContactLawTerm::Named(&laws[which], arguments.named, start.to(c.previous()))
+        } else if is_call_by_names(c) {
+            let word = c.word().unwrap_or_default();
+            let forms: Vec<&Form> = laws.iter().map(|law| &law.call).collect();
+            let message = match word == self.vocabulary.penalty.call.word {
+                true => messages::contact_by_penalty(&name.text, &forms),
+                false => messages::unknown_kind("law of a contact", &word, &forms),
+            };
+            return self.fail(c.region(), message);
         } else {
             ContactLawTerm::Expression(self.expression(c)?)
         };
@@ -142,5 +150,17 @@ impl Parser<'_> {
         let form = self.vocabulary.contact;
         self.definition.contacts.push(Contact { name, form, on, law, of_joint: false });
         Ok(())
+    }
+}
+
+/// Whether a call gives its first argument by a name, as laws do and functions do not.
+fn is_call_by_names(c: &Cursor) -> bool {
+    let mut ahead = c.clone();
+    ahead.advance();
+    let Some(mut inside) = ahead.inside(Delimiter::Parenthesis).filter(|_| is_call(c)) else { return false };
+    inside.word().is_some() && {
+        inside.advance();
+        while inside.enter(Delimiter::Bracket).is_some() {}
+        inside.at_punct('=') && !inside.at_puncts('=', '=')
     }
 }

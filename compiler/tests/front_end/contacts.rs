@@ -27,6 +27,37 @@ fn a_start_within_may_be_allowed() {
 }
 
 #[test]
+fn what_is_no_law_is_named() {
+    let said = |law: &str, expected: &str| {
+        let source = ball(0.5, &format!("contact touch: between(ball.surface, floor) = {law};"));
+        let found = bad(&source).to_string();
+        assert!(found.contains(expected), "{found}");
+    };
+    said(
+        "kelvin_voight(stiffness [N/m] = 1e4, damping [N*s/m] = 10)",
+        "no law of a contact called \"kelvin_voight\"; did you mean `kelvin_voigt`?",
+    );
+    said("ridgid(restitution = 0.5)", "no law of a contact called \"ridgid\"; did you mean `rigid`?");
+    said("spring(stiffness [N/m] = 1e4)", "no law of a contact called \"spring\"; there are kelvin_voigt,");
+    said(
+        "penalty(stiffness [N/m] = 1e4)",
+        "by a `penalty` a joint without play yields, and `touch` is a contact: it has a law of its depth, one of `kelvin_voigt`, ",
+    );
+    said("maximum(0, 1 [N])", "no function called \"maximum\"");
+}
+
+#[test]
+fn a_contact_is_not_stated() {
+    let found = bad(&ball(
+        0.5,
+        "contact touch: between(ball.surface, floor) = rigid(restitution = 0.5); start { touch.gap [m] = 0.3; }",
+    ));
+    let expected = "`touch.gap` cannot stand here: what `touch` is like follows from where its bodies are, so state or drive their \
+                    angles, travels and positions";
+    assert_eq!(found.iter().map(|one| one.message.as_str()).collect::<Vec<_>>(), [expected]);
+}
+
+#[test]
 fn what_never_changes_is_warned_of() {
     let source = ball(
         1.0,

@@ -96,6 +96,13 @@ fn one_message_for_each_mistake() {
             pin("play [mm] = 0.5, radius [mm] = 10", ""),
             "expected `=` and the law of the contact, such as `kelvin_voigt(…)`, found `;`",
         ),
+        (
+            pin(
+                "play [mm] = 0.5, radius [mm] = 10",
+                " = penalty(stiffness [N/m] = 1e6, damping [N*s/m] = 200)",
+            ),
+            "by a `penalty` a joint without play yields, and `wrist` is a contact",
+        ),
         (pin("play [mm] = -0.5, radius [mm] = 10", &law), "radius"),
         (pin("play [mm] = 20, radius [mm] = 10", &law), "radius"),
         (pin("play [kg] = 1, radius [mm] = 10", &law), "kg"),

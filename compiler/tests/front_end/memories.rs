@@ -255,3 +255,28 @@ fn functions_say_what_is_written() {
         assert_eq!(guards, [3.0 - 0.5, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]);
     }
 }
+
+#[test]
+fn what_is_declared_with_its_start_is_not_stated() {
+    for (start, text) in [
+        (
+            "m = 3;",
+            "`m` is a memory and starts with the number that it is declared with, `memory m [unit] = value;`: only angles, travels, positions \
+                    and their rates can stand here",
+        ),
+        (
+            "z = 3;",
+            "`z` is a state and starts with the number that it is declared with, `state z [unit] = value;`",
+        ),
+        (
+            "p [s] = 3;",
+            "`p` is a parameter and has the default that it is declared with, `param p [unit] = value;`",
+        ),
+        ("u [N] = 3;", "`u` is an input and is given from outside, at each instant"),
+        ("s = 3;", "`s` is a signal and has the value that it is declared with"),
+        ("q = 3;", "no value called \"q\""),
+    ] {
+        let more = "state z = 0 { rate = -z/p; } signal s = 2*z; output b = s;";
+        said(&with(&format!("{more} start {{ {start} }}")), text);
+    }
+}
