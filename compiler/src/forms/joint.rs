@@ -41,6 +41,11 @@ impl JointForm {
         self.call.positional.contains(&Positional::Line)
     }
 
+    /// Whether surfaces of it slide on each other: it moves, and is no rod between two places.
+    pub fn slides(&self) -> bool {
+        self.freedoms > 0 && self.spans != Spans::Rod
+    }
+
     /// The name of what it exerts as one quantity, if it has one.
     pub fn effort(&self) -> Option<&'static str> {
         match self.spans {

@@ -6,13 +6,19 @@ use crate::forms::{Form, Space};
 // ---- Joints, constraints, loads --------------------------------------------------------------------------------------
 
 /// `in_space`: the joints that space has.
-pub(crate) fn unknown_joint(word: &str, known: &[&Form], in_space: &[&Form], space: Space) -> String {
-    if in_space.iter().any(|form| form.word == word) {
-        debug_assert!(space == Space::Planar);
-        return format!("a {word} joint needs space: write `spatial` before the name of the mechanism");
+/// `there`: the joints of the other space.
+pub(crate) fn unknown_joint(word: &str, known: &[&Form], there: &[&Form], space: Space) -> String {
+    if there.iter().any(|form| form.word == word) {
+        return match space {
+            Space::Planar => {
+                format!("a {word} joint needs space: write `spatial` before the name of the mechanism")
+            }
+            Space::Spatial => format!(
+                "a {word} joint is one of planar mechanisms so far: write `planar` before the name of the mechanism, if it moves in a plane"
+            ),
+        };
     }
-    if let (None, Some(ours)) = (likely(word, known), elsewhere(word, in_space)) {
-        debug_assert!(space == Space::Planar);
+    if let (Space::Planar, None, Some(ours)) = (space, likely(word, known), elsewhere(word, there)) {
         return format!(
             "a {word} joint is `{ours}`, which needs space: write `spatial` before the name of the mechanism"
         );

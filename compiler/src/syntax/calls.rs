@@ -315,9 +315,12 @@ impl Parser<'_> {
         let kind = self.word(c, &format!("the kind of the {what} ({})", words.join(", ")))?;
         let Some(which) = forms.iter().position(|form| form.word == kind.text) else {
             let message = if what == "joint" {
-                let in_space = (self.vocabulary.joints)(Space::Spatial);
-                let in_space: Vec<&Form> = in_space.iter().map(|joint| &joint.call).collect();
-                messages::unknown_joint(&kind.text, forms, &in_space, self.definition.space)
+                let there = match self.definition.space {
+                    Space::Planar => (self.vocabulary.joints)(Space::Spatial),
+                    Space::Spatial => (self.vocabulary.joints)(Space::Planar),
+                };
+                let there: Vec<&Form> = there.iter().map(|joint| &joint.call).collect();
+                messages::unknown_joint(&kind.text, forms, &there, self.definition.space)
             } else {
                 messages::unknown_kind(what, &kind.text, forms)
             };

@@ -69,6 +69,15 @@ fn a_curve_is_made_of_its_own_parameter() {
 }
 
 #[test]
+fn a_curve_is_of_the_plane() {
+    let found = bad("spatial Wire { particle bead { mass [kg] = 0.3; }
+         joint wire: point_on_curve(ground(0, 0, 0), bead.center, y = 2 [1/m]*wire.parameter*wire.parameter); }");
+    let expected = "a point_on_curve joint is one of planar mechanisms so far: write `planar` before the name of the mechanism, if it moves \
+                    in a plane";
+    assert_eq!(found.iter().map(|error| error.message.as_str()).collect::<Vec<_>>(), [expected]);
+}
+
+#[test]
 fn a_curve_may_be_made_of_what_is_smooth() {
     assert_eq!(all(&wire("y = smoothstep(k*wire.parameter, -1, 1)*1 [m])")), "");
     assert_eq!(

@@ -81,3 +81,31 @@ fn more_than_can_be_tried_are_told() {
     let text = "which of the joints with `dry` friction hold is found among all ways in which they may, of 8 joints at most";
     said(&source, text);
 }
+
+#[test]
+fn friction_that_is_not_there_yet_is_no_lack_of_surfaces() {
+    let only = "friction acts in revolute, prismatic, cylindrical, spherical and universal joints and where a point slides along a line";
+    let planar = |joint: &str| {
+        format!(
+            "planar Wire {{ body b {{ mass [kg] = 1; inertia [kg*m^2] = 1; }} joint j: {joint}; friction rub: on(j) = dry(static = 0.3); }}"
+        )
+    };
+    let curve = "point_on_curve(ground(0, 0), b.center, y = 2 [1/m]*j.parameter*j.parameter)";
+    said(&planar(curve), &format!("friction in `j`, a point_on_curve joint, is not there yet: {only}"));
+    said(
+        &planar("fixed(ground(0, 0), b.center)"),
+        &format!("no surfaces slide on each other in `j`, a fixed joint: {only}"),
+    );
+    let spatial = |joint: &str| {
+        format!(
+            "spatial Nut {{ body b {{ mass [kg] = 1; inertia [kg*m^2] = (1, 1, 1); }} joint j: {joint};
+             friction rub: on(j) = coulomb(coefficient = 0.3, speed [m/s] = 0.1); }}"
+        )
+    };
+    for (joint, kind) in [
+        ("screw(ground(0, 0, 0), b.center, axis = (0, 0, 1), pitch [m] = 0.01)", "screw"),
+        ("planar(ground(0, 0, 0), b.center, axis = (0, 0, 1))", "planar"),
+    ] {
+        said(&spatial(joint), &format!("friction in `j`, a {kind} joint, is not there yet"));
+    }
+}
