@@ -309,6 +309,7 @@ impl<'d> Lowering<'d> {
         let mut known: Vec<&str> = frame.points.keys().chain(frame.markers.keys()).copied().collect();
         known.extend(own.iter().chain(&["origin"]));
         known.sort_unstable();
+        known.dedup();
         let message = if self.definition.bodies[index].form.turns {
             messages::unknown_point(body, point, &known)
         } else {
