@@ -15,7 +15,7 @@ use crate::beams::{Shapes, Way};
 use crate::diagnostics::{Diagnostics, Lint};
 use crate::equations::{Equations, Linear};
 use crate::messages;
-use crate::model::{Beam, Body, BodyId, Expr, Frame, JointId, Mechanism, Place, Side};
+use crate::model::{Beam, Body, BodyId, Coordinate, Expr, Frame, JointId, Mechanism, Place, Side};
 use crate::solve::Solved;
 use std::f64::consts::TAU;
 
@@ -39,6 +39,19 @@ pub(super) fn frequencies(mechanism: &Mechanism, errors: &mut Diagnostics) {
             let mode = format!("{}.{}", body.name.text, deforms.mode_name(expected.mode));
             let above = expected.side == Side::Above;
             errors.error(expected.span, messages::frequency_missed(&mode, found, above, expected.bound));
+        }
+    }
+}
+
+/// Beams do not start further off their axes than they are long.
+pub(super) fn starts(mechanism: &Mechanism, errors: &mut Diagnostics) {
+    for start in mechanism.start.iter().filter(|start| !start.rate) {
+        let Coordinate::Mode(body, _, false) = &start.coordinate else { continue };
+        let body = &mechanism.bodies[body.0];
+        let (Some(beam), Some(value)) = (body.beam(), at_defaults(mechanism, &start.value)) else { continue };
+        if value.abs() > beam.slender.length {
+            let message = messages::bent_too_far(&start.text, value, &body.name.text, beam.slender.length);
+            errors.error(start.span, message);
         }
     }
 }

@@ -60,19 +60,18 @@ pub fn contacts(
     }
     let mut point = Point::at_start(mechanism, equations, assembly);
     point.evaluate(&Ancestry::of_jets(equations, gaps.iter().map(|(_, jet)| jet)));
+    // Which is not dry, or presses on others by its reaction.
+    let is_smooth = |load: &&Load| load.form.rubs && (!load.form.holds || !equations.friction.is_none());
+    let rubs = mechanism.loads.iter().find(is_smooth).map(|load| &load.name);
     let mut said: Option<&str> = None;
     for (load, jet) in &gaps {
         let (name, at) = (load.name.text.as_str(), load.name.span);
         if said == Some(name) {
             continue;
         }
-        let rubs = || {
-            mechanism.loads.iter().any(|load| load.form.rubs && !load.form.holds)
-                || !equations.friction.is_none()
-        };
-        if !load.restitutions.is_empty() && rubs() {
+        if let (false, Some(friction)) = (load.restitutions.is_empty(), rubs) {
             said = Some(name);
-            errors.error(at, messages::rigid_with_friction(name));
+            errors.error(friction.span, messages::rigid_with_friction(&friction.text, name));
             continue;
         }
         if jet.columns.is_empty() && equations.graph.sheet().is_zero(jet.drift) {

@@ -301,10 +301,10 @@ pub fn rigid_closing(name: &str, speed: f64, angle: bool) -> String {
     )
 }
 
-pub fn rigid_with_friction(name: &str) -> String {
+pub fn rigid_with_friction(friction: &str, name: &str) -> String {
     format!(
         "what the rigid `{name}` exerts at a touch is an impulse, in which only `dry` friction at the contact itself has a share: write that, \
-         leave the friction out, or give `{name}` a law of its depth, such as `hunt_crossley`"
+         leave `{friction}` out, or give `{name}` a law of its depth, such as `hunt_crossley`"
     )
 }
 

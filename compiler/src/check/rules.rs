@@ -14,7 +14,7 @@ use crate::model::{
 use std::collections::HashMap;
 
 /// The rules in the order they are reported.
-const RULES: [fn(&Mechanism, &mut Diagnostics); 23] = [
+const RULES: [fn(&Mechanism, &mut Diagnostics); 24] = [
     has_bodies,
     is_of_a_size_to_write_out,
     bounds_hold_the_default,
@@ -38,6 +38,7 @@ const RULES: [fn(&Mechanism, &mut Diagnostics); 23] = [
     super::penalty::what_yields_is_not_cut,
     loops_of_friction_are_small,
     super::beams::frequencies,
+    super::beams::starts,
 ];
 
 /// Applies all rules.
@@ -242,10 +243,14 @@ fn axes_point_somewhere(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
 // The length of a spring is not negative.
 fn lengths_are_not_negative(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
     for load in &mechanism.loads {
+        // What is not written may be as another.
+        let mut said: Option<&Expr> = None;
         let lengths = load.arguments().filter(|(argument, _)| argument.sign == Sign::NotNegative);
         for (argument, value) in lengths.flat_map(|(it, values)| values.iter().map(move |value| (it, value)))
         {
-            if let Some(length) = at_defaults(mechanism, value).filter(|length| *length < 0.0) {
+            if let Some(length) = at_defaults(mechanism, value).filter(|length| *length < 0.0)
+                && said.replace(value) != Some(value)
+            {
                 let unit = argument.dimension().map(|dimension| dimension.to_string()).unwrap_or_default();
                 let message = messages::negative(argument.name, &load.name.text, length, &unit);
                 diagnostics.error(load.name.span, message);

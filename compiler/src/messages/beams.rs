@@ -392,6 +392,15 @@ pub(crate) fn no_mode(asked: &str) -> String {
     )
 }
 
+/// Metres.
+pub(crate) fn bent_too_far(mode: &str, found: f64, beam: &str, length: f64) -> String {
+    format!(
+        "`{mode}` starts at {} m, and `{beam}` is {} m long: what bends is off its axis by small parts of its length",
+        number(found),
+        number(length)
+    )
+}
+
 pub(crate) fn frequency_missed(mode: &str, found: f64, above: bool, bound: f64) -> String {
     format!(
         "`{mode}` has {} Hz by itself, {} than the {} Hz expected: change the section, the length or the material, or the finite element model",

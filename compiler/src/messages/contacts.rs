@@ -305,6 +305,9 @@ pub(crate) fn release_out_of_range(found: f64) -> String {
 }
 
 pub(crate) fn contact_pulls(what: &str, found: f64) -> String {
+    if found == 0.0 {
+        return format!("a contact that yields needs a `{what}` above zero");
+    }
     format!("a contact pushes: its `{what}` cannot be {}", number(found))
 }
 

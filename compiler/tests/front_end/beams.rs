@@ -450,3 +450,27 @@ fn clamps_of_the_ground_are_known() {
         assert!(found.contains(&said), "{found}");
     }
 }
+
+#[test]
+fn a_start_is_no_further_off_than_the_beam_is_long() {
+    let source = |bending: &str| {
+        format!(
+            "planar Far {{ beam b {{ length [m] = 1; section = circle(diameter [mm] = 10); young [GPa] = 210; density [kg/m^3] = 7800; shapes = clamped; }}
+             joint c: fixed(ground(0, 0), b.start); start {{ b.bending[0] [mm] = {bending}; }} }}"
+        )
+    };
+    let found = bad(&source("1e6")).to_string();
+    let expected = "`b.bending[0]` starts at 1000 m, and `b` is 1 m long: what bends is off its axis by small parts of its length";
+    assert!(found.contains(expected), "{found}");
+    crate::good(&source("-200"));
+}
+
+#[test]
+fn points_are_listed_once() {
+    let found = bad("planar Point { beam b { length [m] = 1; section = circle(diameter [mm] = 10); young [GPa] = 210; density [kg/m^3] = 7800; }
+        joint c: revolute(ground(0, 0), b.middle); }");
+    assert!(
+        found.to_string().contains("`b` has no point called \"middle\"; it has center, end, origin, start"),
+        "{found}"
+    );
+}

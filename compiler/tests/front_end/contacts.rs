@@ -1,6 +1,6 @@
 //! Contacts: what is warned of, what may be allowed, what a point on a plane costs, how long a touch takes.
 
-use crate::{bad, warnings};
+use crate::{bad, underlined, warnings};
 use linkwright_compiler::compile;
 use linkwright_compiler::schedule::{Function, count};
 
@@ -44,6 +44,29 @@ fn what_is_no_law_is_named() {
         "by a `penalty` a joint without play yields, and `touch` is a contact: it has a law of its depth, one of `kelvin_voigt`, ",
     );
     said("maximum(0, 1 [N])", "no function called \"maximum\"");
+}
+
+#[test]
+fn what_yields_is_stiff() {
+    let found =
+        bad(&ball(0.5, "contact touch: between(ball.surface, floor) = kelvin_voigt(stiffness [N/m] = 0);"));
+    assert!(found.to_string().contains("a contact that yields needs a `stiffness` above zero"), "{found}");
+}
+
+#[test]
+fn smooth_friction_has_no_share_in_impulses() {
+    let source = ball(
+        0.5,
+        "contact touch: between(ball.surface, floor) = rigid(restitution = 0.5);
+         friction rub: on(touch) = coulomb(coefficient = 0.3, speed [m/s] = 0.01);",
+    );
+    let found = compile(source.parse().expect("tokens"), None).map(|_| ()).expect_err("it is refused");
+    let [error] = &found.iter().collect::<Vec<_>>()[..] else { panic!("{found}") };
+    let expected = "`dry` friction at the contact itself has a share: write that, leave `rub` out, or give `touch` a law of its depth";
+    assert!(error.message.contains(expected), "{}", error.message);
+    assert!(underlined(&source, error.region).ends_with(
+        "friction rub: on(touch) = coulomb(coefficient = 0.3, speed [m/s] = 0.01);\n                  ~~~"
+    ));
 }
 
 #[test]

@@ -83,6 +83,13 @@ fn more_than_can_be_tried_are_told() {
 }
 
 #[test]
+fn what_is_as_another_is_said_once() {
+    let found = bad(&arm("friction rub: on(pin) = dry(static = -0.5, radius [m] = 0.02);"));
+    let found: Vec<&str> = found.iter().map(|error| error.message.as_str()).collect();
+    assert!(matches!(found[..], [one] if one.contains("the static of `rub` is negative")), "{found:?}");
+}
+
+#[test]
 fn friction_that_is_not_there_yet_is_no_lack_of_surfaces() {
     let only = "friction acts in revolute, prismatic, cylindrical, spherical and universal joints and where a point slides along a line";
     let planar = |joint: &str| {

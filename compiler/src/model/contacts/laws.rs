@@ -75,7 +75,7 @@ impl<'d> Lowering<'d> {
     /// F = max(0, k d + c ḋ), c times the release where ḋ < 0 (Goldsmith, Impact, 1960).
     fn kelvin_voigt(&mut self, named: &'d Named, meeting: &Meeting, way: Dimension) -> Option<(Expr, Expr)> {
         let stiffness = Dimension::TORQUE.over(way).over(way);
-        let k = self.not_negative(named, "stiffness", stiffness)?;
+        let k = self.positive(named, "stiffness", stiffness)?;
         let c = self.not_negative(named, "damping", stiffness.times(Dimension::TIME))?;
         let held = self.holds_gates();
         let gap = &meeting.gap;
