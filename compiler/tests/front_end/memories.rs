@@ -269,14 +269,14 @@ fn what_is_declared_with_its_start_is_not_stated() {
             "`z` is a state and starts with the number that it is declared with, `state z [unit] = value;`",
         ),
         (
-            "p [s] = 3;",
+            "p = 3;",
             "`p` is a parameter and has the default that it is declared with, `param p [unit] = value;`",
         ),
-        ("u [N] = 3;", "`u` is an input and is given from outside, at each instant"),
+        ("u = 3;", "`u` is an input and is given from outside, at each instant"),
         ("s = 3;", "`s` is a signal and has the value that it is declared with"),
         ("q = 3;", "no value called \"q\""),
     ] {
-        let more = "state z = 0 { rate = -z/p; } signal s = 2*z; output b = s;";
+        let more = "state z = 0; rate z = -z/p; signal s = 2*z; output b = s;";
         said(&with(&format!("{more} start {{ {start} }}")), text);
     }
 }
