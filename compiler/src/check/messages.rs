@@ -37,6 +37,16 @@ pub fn static_and_held(body: &str, mode: &str) -> String {
     )
 }
 
+/// `start` ties modes to what it states.
+pub fn static_and_stated(body: &str, mode: &str, stated: &[String]) -> String {
+    let stated: Vec<String> = stated.iter().map(|stated| format!("`{stated}`")).collect();
+    format!(
+        "`{body}` cannot start as its loads bend it: with {} as `start` states it and the joints closed, `{body}.{mode}` does not bend by \
+         itself. Make that a guess (`~` in place of `=`), or leave `{body} = static` out",
+        list(&stated)
+    )
+}
+
 /// m or rad.
 pub fn no_static(body: &str, mode: &str, steps: usize, found: f64) -> String {
     format!(

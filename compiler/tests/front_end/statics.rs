@@ -112,6 +112,19 @@ fn starts_that_are_not_static() {
 }
 
 #[test]
+fn what_start_states_holds_too() {
+    let ends = "joint left: revolute(ground(0, 0) [m], arm.start); joint right: point_on_line(line(ground(0, 0), ground(1, 0) [m]), arm.end);
+                start { arm = static; left.angle [rad] = 0; }";
+    let found = told("shapes = pinned; modes = (bending = 5);", ends);
+    let said = "cannot start as its loads bend it: with `left.angle` as `start` states it and the joints closed, `arm.bending[";
+    assert!(
+        found.contains(said)
+            && found.contains("Make that a guess (`~` in place of `=`), or leave `arm = static` out"),
+        "{found}"
+    );
+}
+
+#[test]
 fn expectations_on_deflections() {
     let foot = "joint foot: fixed(ground(0, 0) [m], arm.start); body load { mass [kg] = 1; inertia [kg*m^2] = 1; } joint top: fixed(arm.end, load.center);";
     for (start, expectation, said) in [

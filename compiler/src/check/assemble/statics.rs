@@ -2,10 +2,11 @@
 //! method around the assembly. Where the mechanism rests, that is its static equilibrium; where it moves, modes begin without swinging.
 
 use super::{Ancestry, Point, attempts, messages, problem, rates};
+use crate::beams::Shapes;
 use crate::check::steady::eliminated;
 use crate::diagnostics::{Diagnostics, Region};
 use crate::equations::{Equations, Linear};
-use crate::model::{Coordinate, Expr, Mechanism};
+use crate::model::{Coordinate, Deforms, Expr, Mechanism};
 use crate::solve::table::{Numeric, Table};
 
 /// Steps of Newton's method.
@@ -45,7 +46,11 @@ pub fn deflected(
             };
             let (Some(ahead), Some(behind)) = (moved(1.0), moved(-1.0)) else {
                 let (name, mode, region) = named(&mechanism, &bent[at])?;
-                errors.error(region, messages::static_and_held(name, &mode));
+                let message = match held_by_start(&mechanism, &bent[at]) {
+                    Some(stated) => messages::static_and_stated(name, &mode, &stated),
+                    None => messages::static_and_held(name, &mode),
+                };
+                errors.error(region, message);
                 return None;
             };
             let slope = ahead.iter().zip(behind).map(|(ahead, behind)| (ahead - behind) / (2.0 * ACROSS));
@@ -63,6 +68,17 @@ pub fn deflected(
     let (name, mode, region) = named(&mechanism, &bent[at])?;
     errors.error(region, messages::no_static(name, &mode, MOST, *largest));
     None
+}
+
+/// What `start` states of places and directions, where the shapes of a body keep what joints hold of it.
+fn held_by_start(mechanism: &Mechanism, mode: &Bent) -> Option<Vec<String>> {
+    let Coordinate::Mode(body, ..) = &mode.coordinate else { return None };
+    let Some(Deforms::Beam(beam)) = &mechanism.bodies[body.0].deforms else { return None };
+    let is_mode = |coordinate: &Coordinate| matches!(coordinate, Coordinate::Mode(..));
+    let stated =
+        mechanism.start.iter().filter(|start| start.exact && !start.rate && !is_mode(&start.coordinate));
+    let stated: Vec<String> = stated.map(|start| start.text.clone()).collect();
+    (beam.slender.shapes != Shapes::Free && !stated.is_empty()).then_some(stated)
 }
 
 /// A body, its mode, and where the body is said to be static.
