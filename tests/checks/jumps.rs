@@ -1,7 +1,7 @@
 //! Speeds that jump at events: against closed forms, in both coordinate sets, compiled and interpreted.
 
 use linkwright::{
-    AssembleExt, DormandPrince, Mechanism, Projected, Rk4, Simulation, SimulationError, Vector,
+    AssembleExt, DormandPrince, LagrangeIndex1, Projected, Rk4, Simulation, SimulationError, Vector,
 };
 use linkwright_engine::Engine;
 use mechanisms::zoo_memories::{Remembering, RememberingInputs};
@@ -91,7 +91,7 @@ fn a_loop_takes_its_share() {
             (of("event go: time rises 0.25 [s] { jump(axle.rate) = 5 [rad/s]; }", 0.0), 0.25);
         let mut simulation = Simulation::new(&engine, engine.start())
             .constant(engine.no_inputs())
-            .formulation(Projected::default())
+            .formulation(Projected::after(LagrangeIndex1))
             .integrator(DormandPrince::tolerance(1e-11))
             .step(0.05);
         simulation.advance_until(whole).expect("it moves");
