@@ -120,7 +120,7 @@ class Energies:
         speeds, jumps = memories.jumping(self.model, kinematics)
         if jumps.numel():
             # Of events their derivatives are not asked for.
-            self.gap_rates, self.gap_biases, self.restitutions = speeds, ca.SX(jumps.numel(), 1), jumps
+            self.gap_rates, self.gap_biases, self.restitutions = speeds, ca.SX.zeros(jumps.numel()), jumps
 
     def _slope(self, value):
         """∂(value)/∂π."""
