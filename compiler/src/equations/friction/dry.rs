@@ -13,8 +13,8 @@ use super::{bearing, pressed, slips, touching};
 use crate::equations::laws::Laws;
 use crate::equations::loads::{LoadKind, LoadTerms, along, no_rotors};
 use crate::forms::{Acts, Argument, Form, Law, LoadForm, Need, Value};
-use crate::model::{Expr, Load, LoadId};
-use crate::symbolic::{Node, Scalar};
+use crate::model::{Load, LoadId};
+use crate::symbolic::{Compare, Node, Scalar};
 use crate::units::Dimension;
 
 pub static LOAD: LoadKind = LoadKind {
@@ -84,8 +84,7 @@ pub fn slidings(laws: &Laws, load: &Load) -> Vec<[Node; 2]> {
 
 /// μ_s and μ_k of the dry friction of a contact.
 pub fn shares(laws: &Laws, load: &Load) -> [Node; 2] {
-    let [holds, slides] = ["static", "kinetic"].map(|name| laws.value(load.named(name)));
-    ordered(laws, load, holds, slides)
+    ["static", "kinetic"].map(|name| laws.value(load.named(name)).bare)
 }
 
 /// Of the dry friction of a joint the most that it holds with, and what it slides with, N or N m.
@@ -101,12 +100,14 @@ pub fn bounds(laws: &Laws, load: &Load) -> [Node; 2] {
     ordered(laws, load, holds, slides)
 }
 
-/// What would push does nothing, and what slides holds with as much at least; of numbers that is checked.
+/// Of what varies: what would push does nothing, and what slides holds with as much at least. Of numbers that is checked.
 fn ordered<'g>(laws: &Laws<'g>, load: &Load, holds: Scalar<'g>, slides: Scalar<'g>) -> [Node; 2] {
     let mut written = load.form.call.named.iter().map(|argument| load.named(argument.name));
-    if written.all(|value| matches!(value, Expr::Number(_))) {
+    if written.all(|value| !value.varies()) {
         return [holds.bare, slides.bare];
     }
-    let slides = slides.max(laws.g.zero());
-    [holds.max(slides).bare, slides.bare]
+    // Written so that what is no number stays none.
+    let zero = laws.g.zero();
+    let slides = slides.compare(Compare::Less, zero).select(zero, slides);
+    [holds.compare(Compare::Less, slides).select(slides, holds).bare, slides.bare]
 }
