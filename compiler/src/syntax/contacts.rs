@@ -140,7 +140,7 @@ impl Parser<'_> {
             let forms: Vec<&Form> = laws.iter().map(|law| &law.call).collect();
             let message = match word == self.vocabulary.penalty.call.word {
                 true => messages::contact_by_penalty(&name.text, &forms),
-                false => messages::unknown_kind("law of a contact", &word, &forms),
+                false => messages::unknown_kind("law of a contact", word, &forms),
             };
             return self.fail(c.region(), message);
         } else {

@@ -151,7 +151,7 @@ fn left<R: Real, M: Mechanism<R>>(
 /// The largest in size; no number where one of them is none.
 fn largest<R: Real>(of: &[R]) -> R {
     let (largest, none) =
-        of.iter().fold((R::ZERO, R::ZERO), |(largest, none), x| (largest.max(x.abs()), none + (*x - *x)));
+        of.iter().fold((R::ZERO, R::ZERO), |(largest, none), x| (largest.max(x.abs()), none + R::ZERO * *x));
     largest + none
 }
 
