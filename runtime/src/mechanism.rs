@@ -222,7 +222,8 @@ pub trait Mechanism<R: Real>: Variables<R> {
     fn triggers(&self) -> &[Trigger] {
         &[]
     }
-    /// All that is held after the events whose places in the state are 1: memories as these set them, the rest as it is.
+    /// All that is held after the events whose places in the state are 1: memories as these set them, at the places
+    /// of events what their speeds jump to (m/s or rad/s), the rest as it is.
     #[inline(always)]
     fn assignments(&self, time: R, state: &StateOf<Self, R>, u: &Self::Inputs, after: &mut Self::Gates) {
         let _ = (time, state, u, after);
@@ -274,7 +275,8 @@ pub trait Mechanism<R: Real>: Variables<R> {
         let _ = (time, state, u, a, lambda, holding, sliding);
     }
     /// Of each rigid contact the rate ġ of its gap (m/s or rad/s), what of g̈ is there at v̇ = 0 (m/s² or rad/s²), and the share of
-    /// the speed of approach with which it parts; of each dry friction the speed of its sliding (m/s), what of its derivative is there, and 0.
+    /// the speed of approach with which it parts; of each dry friction the speed of its sliding (m/s), what of its derivative is there, and 0;
+    /// of each event whose speed jumps that (m/s or rad/s), 0, and 1.
     #[inline(always)]
     fn strikes(
         &self,

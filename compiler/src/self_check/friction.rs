@@ -39,8 +39,8 @@ pub fn check(machine: &Machine, report: &mut Report) {
     let loads = machine.compiled.mechanism.loads.iter().zip(powers);
     // What has states of its own gives back what it stored; that of dry friction is what the run finds; what is given from outside may be
     // drawn below zero.
-    let varies = |load: &Load| load.arguments().any(|(_, values)| values.iter().any(Expr::varies));
-    let takes = |load: &Load| load.form.rubs && load.form.owns.is_none() && !load.form.holds && !varies(load);
+    let given = |load: &Load| load.arguments().any(|(_, values)| values.iter().any(Expr::is_given));
+    let takes = |load: &Load| load.form.rubs && load.form.owns.is_none() && !load.form.holds && !given(load);
     for (load, power) in loads.filter(|(load, _)| takes(load)) {
         let gained = Quantity { value: power.value.max(0.0), ..power };
         report.compare(Check::Friction, || format!("\"{}\"", load.name.text), gained, Quantity::exact(0.0));

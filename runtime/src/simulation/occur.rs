@@ -116,6 +116,12 @@ where
         }
         let mut after = marked.gates.clone();
         model.assignments(time, &marked, &inputs, &mut after);
+        // What a speed would jump to need be no number where it does not.
+        for place in
+            (places.contacts..places.events).filter(|place| at(occurring.as_slice(), *place) == R::ZERO)
+        {
+            put(after.as_mut_slice(), place, R::ZERO);
+        }
         if let Some(place) = after.first_not_finite() {
             return Err(SimulationError::NonFinite { time: time.to_f64(), what: self.contact(place) });
         }
