@@ -108,7 +108,7 @@ fn constraints_are_kept<M: Model>() {
     assert!(residual.position < 1e-7 * size * size, "{residual:?}");
 }
 
-for_each!(it_goes_on_from_what_was_saved);
+for_each!(in sample, it_goes_on_from_what_was_saved);
 
 fn it_goes_on_from_what_was_saved<M: Model>() {
     let model = M::standard();
@@ -144,7 +144,7 @@ fn it_goes_on_from_what_was_saved<M: Model>() {
     assert_eq!(other.save(), before);
 }
 
-for_each!(nothing_that_makes_no_sense_is_taken);
+for_each!(in sample, nothing_that_makes_no_sense_is_taken);
 
 fn nothing_that_makes_no_sense_is_taken<M: Model>() {
     let model = M::standard();

@@ -18,6 +18,11 @@ for_each!(lanes_move_as_steppers);
 
 fn lanes_move_as_steppers<M: Model + InScalars<In<f64> = M>>() {
     as_steppers::<M, F64x4, _>(Rk4);
+}
+
+for_each!(in sample, corrected_lanes_move_as_steppers);
+
+fn corrected_lanes_move_as_steppers<M: Model + InScalars<In<f64> = M>>() {
     as_steppers::<M, F64x4, _>((SemiImplicitEuler, Corrected::after(LagrangeIndex1)));
 }
 

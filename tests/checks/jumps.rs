@@ -158,6 +158,20 @@ fn what_is_held_does_not_jump() {
     assert!(matches!(error, SimulationError::NonFinite { what: "one", .. }), "{error}");
 }
 
+/// What a speed would jump to is asked for only where it does: here it divides by what is zero before.
+#[test]
+fn what_does_not_occur_asks_for_no_number() {
+    let source = "planar Puck {
+        body puck { mass [kg] = 0.3; inertia [kg*m^2] = 0.1; }
+        memory share = 0;
+        event ready: time rises 0.1 [s] { share = 2; }
+        event go: time rises 0.2 [s] { jump(puck.center.velocity.x) = 6 [m/s]/share; }
+        start { puck.center.x [m] = 0; puck.center.y [m] = 0; puck.center.velocity.x [m/s] = 0; puck.center.velocity.y [m/s] = 0; }
+        output x [m] = puck.center.x; }";
+    let engine = Engine::read(source).unwrap_or_else(|found| panic!("{found}"));
+    close(after(&engine, 0.03, 0.5)[0], 0.9, 1e-12, "puck");
+}
+
 /// Compiled and interpreted speeds have the same bits.
 #[test]
 fn the_interpreter_jumps_alike() {

@@ -18,6 +18,7 @@ mod golden;
 mod held;
 mod identities;
 mod implicit;
+mod interpreted;
 mod jumps;
 mod kinematics;
 mod language;

@@ -101,7 +101,7 @@ fn independent<M: Model>(model: &M, all: &M::Conditions) -> Vec<f64> {
     model.independent().iter().map(|index| all.as_slice()[usize::from(*index)]).collect()
 }
 
-for_each!(reduced_equations_in_single_precision);
+for_each!(in sample, reduced_equations_in_single_precision);
 
 /// To 1e-4 of the largest entry, where the position itself is one of single precision.
 fn reduced_equations_in_single_precision<M: Model>() {

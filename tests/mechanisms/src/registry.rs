@@ -124,7 +124,8 @@ macro_rules! implement {
 linkwright_models::for_each_model!(implement);
 
 /// A test of the function `check::<M>` for each model `M`, shipped or of the zoo, in a module of that function's name; `in zoo` for those
-/// of the zoo alone, which have every element: what is compiled many times for each mechanism is asked of these.
+/// of the zoo alone, which have every element, and `in sample` for some of both, which have every kind: what is compiled many times for each
+/// mechanism is asked of these.
 #[macro_export]
 macro_rules! for_each {
     ($check:ident) => {
@@ -132,6 +133,9 @@ macro_rules! for_each {
     };
     (in zoo, $check:ident) => {
         $crate::registry::for_each! { @ ($) $check, $crate::zoo::for_each_in_zoo }
+    };
+    (in sample, $check:ident) => {
+        $crate::registry::for_each! { @ ($) $check, $crate::zoo::for_each_in_sample }
     };
     // The dollar is handed in, because a macro cannot write the variables of the macro it defines.
     (@ ($dollar:tt) $check:ident $(, $list:path)*) => {

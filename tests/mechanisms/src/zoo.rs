@@ -270,6 +270,50 @@ macro_rules! for_each_in_zoo {
 }
 pub use crate::for_each_in_zoo;
 
+/// As [`for_each_in_zoo`], for a sample that has each kind of joint, law, coordinate and gate once or twice: for what depends on kinds, and whose
+/// code for every mechanism would take long to build.
+#[macro_export]
+macro_rules! for_each_in_sample {
+    ($callback:ident) => {
+        $callback! {
+            everything: $crate::everything::Everything,
+            workshop: $crate::zoo::Workshop,
+            steered: $crate::zoo_laws::Steered,
+            bristled: $crate::zoo_laws::Bristled,
+            rubbed_loop: $crate::zoo_friction::RubbedLoop,
+            bristly_loop: $crate::zoo_bristles::BristlyLoop,
+            toothed: $crate::zoo_gears::Toothed,
+            stiffened: $crate::zoo_beams::Stiffened,
+            bent_loop: $crate::zoo_beams_in_space::BentLoop,
+            block: $crate::zoo_modal::Block,
+            hoisted: $crate::zoo_cables::Hoisted,
+            loose_loop: $crate::zoo_loose::LooseLoop,
+            touching: $crate::zoo_contacts::Touching,
+            landing: $crate::zoo_gates::Landing,
+            gripping: $crate::zoo_gates::Gripping,
+            braking: $crate::zoo_dry::Braking,
+            remembering: $crate::zoo_memories::Remembering,
+            yielding_in_space: $crate::zoo_penalties::YieldingInSpace,
+            table: $crate::zoo_space::Table,
+            wires: $crate::zoo_space::Wires,
+            shafts: $crate::zoo_space::Shafts,
+            snake: $crate::zoo_space::Snake,
+            cabin: $crate::zoo_space::Cabin,
+            four_bar: linkwright_models::four_bar::FourBar,
+            slider_crank: linkwright_models::slider_crank::SliderCrank,
+            andrews: linkwright_models::andrews::Andrews,
+            n_four_bar_2: linkwright_models::n_four_bar::NFourBar2,
+            bricard: linkwright_models::bricard::Bricard,
+            heavy_top: linkwright_models::heavy_top::HeavyTop,
+            panda: linkwright_models::panda::Panda,
+            car_axis: linkwright_models::car_axis::CarAxis,
+            cam_follower: linkwright_models::cam_follower::CamFollower,
+            hydraulic_loader: linkwright_models::knuckle_boom_loader::HydraulicLoader,
+        }
+    };
+}
+pub use crate::for_each_in_sample;
+
 macro_rules! implement {
     ($($name:ident: $first:tt $(:: $segment:ident)*),* $(,)?) => { model!($($first $(:: $segment)*),*); };
 }

@@ -1,22 +1,17 @@
-//! Every mechanism that ships, and those of the zoo, read by the engine: tables, functions and runs are those of the emitted code, to the
-//! bit. Rounding is the same where multiply and add are not fused in look-ups of tables: on targets without that instruction.
+//! Every mechanism that ships, and those of the zoo, interpreted: tables, functions and runs are those of the emitted code, to the bit. Rounding is the same where multiply and add are not fused in look-ups of tables: on targets without that instruction.
 
+use crate::registry::{At, Model, Random, compiled, fields, for_each, vector};
 use linkwright::{
-    Assemble, AssembleExt, Baumgarte, Fields, LagrangeIndex1, Mechanism, NullSpace, Partitioned, Projected,
-    Simulation, StateOf, Tangent, Variables, Vector,
+    Assemble, AssembleExt, Baumgarte, Fields, Formulation, LagrangeIndex1, Mechanism, NullSpace, Partitioned,
+    Projected, Simulation, State, StateOf, Variables, Vector,
 };
-use linkwright_engine::{Derivatives, Engine, List, Made, Numbers};
-use linkwright_runtime::State;
-use mechanisms::registry::{At, Model, Random, compiled, for_each};
+use linkwright_compiler::Compiled;
+use linkwright_engine::{Engine, List, Made, Numbers};
 
 /// Bits of lists that have to be the same.
 fn same(what: &str, emitted: &[f64], interpreted: &[f64]) {
     let bits = |list: &[f64]| list.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
     assert_eq!(bits(emitted), bits(interpreted), "{what}: {emitted:?} and {interpreted:?}");
-}
-
-fn engine_of<M: Model>() -> Engine {
-    Engine::of(&compiled::<M>(None)).expect("it fits")
 }
 
 fn list<V: Vector<f64>>(vector: &V) -> List {
@@ -27,10 +22,17 @@ fn state_of<M: Model>(state: &StateOf<M>) -> StateOf<Engine> {
     State { q: list(&state.q), v: list(&state.v), z: list(&state.z), gates: list(&state.gates) }
 }
 
-for_each!(tables);
+for_each!(the_interpreter_is_the_emitted_code);
 
-fn tables<M: Model>() {
-    let (model, engine) = (M::standard(), engine_of::<M>());
+fn the_interpreter_is_the_emitted_code<M: Model>() {
+    let compiled = compiled::<M>(None);
+    let engine = Engine::of(&compiled).expect("it fits");
+    tables(&M::standard(), &engine);
+    functions::<M>(&compiled, &engine);
+    runs(&M::standard(), &engine);
+}
+
+fn tables<M: Model>(model: &M, engine: &Engine) {
     assert_eq!(model.name(), engine.name());
     assert_eq!(model.fingerprint(), engine.fingerprint());
     assert_eq!(model.layout(), engine.layout());
@@ -65,11 +67,7 @@ fn tables<M: Model>() {
     same("start_gates", start.gates.as_slice(), other.gates.as_slice());
 }
 
-for_each!(functions);
-
-fn functions<M: Model>() {
-    let compiled = &compiled::<M>(None);
-    let engine: Engine = Engine::of(compiled).expect("it fits");
+fn functions<M: Model>(compiled: &Compiled, engine: &Engine) {
     let mut random = Random::new(7);
     for _ in 0..3 {
         let mut point = random.point(compiled);
@@ -110,7 +108,7 @@ fn functions<M: Model>() {
             condition_drift(zero_conditions, time => time, &at.q => &q),
             condition_bias(zero_conditions, time => time, &at.q => &q, &at.v => &v),
         );
-        let targets: M::Conditions = mechanisms::registry::vector(&point.targets);
+        let targets: M::Conditions = vector(&point.targets);
         let own_targets = List::of(&point.targets);
         both!(
             condition_residual(zero_conditions, time => time, &at.q => &q, &targets => &own_targets),
@@ -234,88 +232,37 @@ fn factorisations<M: Model>(model: &M, engine: &Engine, at: &At<M>, own: &StateO
     }
 }
 
-for_each!(runs);
-
-/// Fifty steps from the start under several formulations: the same states, or the same error.
-fn runs<M: Model>() {
-    let (model, engine) = (M::standard(), engine_of::<M>());
-    let zero: M::Inputs = mechanisms::registry::fields(&vec![0.0; engine.input_names().len()]);
-    macro_rules! under {
-        ($($formulation:expr),*) => { $(
-            let mut one = Simulation::new(&model, model.start()).formulation($formulation).constant(zero).step(1e-3);
-            let mut other = Simulation::new(&engine, engine.start())
-                .formulation($formulation).constant(engine.no_inputs()).step(1e-3);
-            let ends = (one.advance_steps(50).err(), other.advance_steps(50).err());
-            assert_eq!(ends.0, ends.1, "{}", stringify!($formulation));
-            same("q", one.state().q.as_slice(), other.state().q.as_slice());
-            same("v", one.state().v.as_slice(), other.state().v.as_slice());
-            same("z", one.state().z.as_slice(), other.state().z.as_slice());
-            same("gates", one.state().gates.as_slice(), other.state().gates.as_slice());
-            same("energy", &[one.energy()], &[other.energy()]);
-        )* };
-    }
-    under!(
-        LagrangeIndex1,
-        Baumgarte { alpha: 10.0, beta: 10.0 },
-        Projected::after(LagrangeIndex1),
-        NullSpace,
-        Partitioned::default()
-    );
+/// Fifty steps from the start: the same states, or the same error.
+fn runs<M: Model>(model: &M, engine: &Engine) {
+    run(model, engine, Baumgarte { alpha: 10.0, beta: 10.0 });
 }
 
-/// Derivatives of the equations, of a mechanism that has them.
-#[test]
-fn derivatives() {
-    let definition = linkwright_models::four_bar::FourBar::SOURCE;
-    let engine = Engine::<Derivatives>::read_with_derivatives(definition).expect("it is well");
-    let start = engine.start();
-    let u = engine.no_inputs();
-    let (mut stiffness, mut damping) = (engine.zero_stiffness(), engine.zero_damping());
-    let (a, lambda) = (engine.zero_v(), engine.zero_lambda());
-    engine.tangent(0.0, &start, &u, &a, &lambda, &mut stiffness, &mut damping);
-    // Against differences of the residual.
-    let residual = |state: &StateOf<Engine<Derivatives>>| {
-        let mut residual = engine.zero_v();
-        engine.residual(0.0, state, &u, &a, &lambda, &mut residual);
-        residual
-    };
-    let h = 1e-6;
-    for column in 0..engine.velocity_count() {
-        let moved = |by: f64| {
-            let mut increment = engine.zero_v();
-            increment.as_mut_slice()[column] = by;
-            residual(&start.moved(engine.layout(), &increment, start.v.clone(), start.z.clone()))
-        };
-        let difference = moved(h).plus(-1.0, &moved(-h)).scaled(0.5 / h);
-        for row in 0..engine.velocity_count() {
-            let place = (row as u16, column as u16);
-            let at = engine.stiffness_pattern().iter().position(|known| *known == place);
-            let exact = at.map_or(0.0, |at| stiffness.as_slice()[at]);
-            assert!((difference.as_slice()[row] - exact).abs() < 1e-6, "{place:?}: {exact}");
-        }
-    }
-    // A definition that is compiled without them has none.
-    let plain = linkwright_compiler::compile(definition.parse().expect("tokens"), None).expect("it is well");
-    assert!(!Engine::<Derivatives>::admits(&plain) && Engine::<Derivatives>::of(&plain).is_err());
+for_each!(in sample, it_moves_alike_under_each_formulation);
+
+fn it_moves_alike_under_each_formulation<M: Model>() {
+    let (model, engine) = (M::standard(), Engine::of(&compiled::<M>(None)).expect("it fits"));
+    run(&model, &engine, LagrangeIndex1);
+    run(&model, &engine, Projected::after(LagrangeIndex1));
+    run(&model, &engine, NullSpace);
+    run(&model, &engine, Partitioned::default());
 }
 
-/// Engines move to other threads, and give the same there.
-#[test]
-fn clones_on_threads() {
-    let engine = Engine::read(linkwright_models::four_bar::FourBar::SOURCE).expect("it is well");
-    let moved = |engine: &Engine| {
-        let mut simulation = Simulation::new(engine, engine.start()).constant(engine.no_inputs()).step(1e-3);
-        simulation.advance_steps(100).expect("it moves");
-        list(&simulation.state().q)
-    };
-    let here = moved(&engine);
-    let threads: Vec<_> = (0..3)
-        .map(|_| {
-            let engine = engine.clone();
-            std::thread::spawn(move || moved(&engine))
-        })
-        .collect();
-    for thread in threads {
-        assert_eq!(thread.join().expect("it ends"), here);
-    }
+fn run<M: Model, F: Formulation<f64, M> + Formulation<f64, Engine> + Copy>(
+    model: &M,
+    engine: &Engine,
+    formulation: F,
+) {
+    let zero: M::Inputs = fields(&vec![0.0; engine.input_names().len()]);
+    let mut one = Simulation::new(model, model.start()).formulation(formulation).constant(zero).step(1e-3);
+    let mut other = Simulation::new(engine, engine.start())
+        .formulation(formulation)
+        .constant(engine.no_inputs())
+        .step(1e-3);
+    let ends = (one.advance_steps(50).err(), other.advance_steps(50).err());
+    assert_eq!(ends.0, ends.1);
+    same("q", one.state().q.as_slice(), other.state().q.as_slice());
+    same("v", one.state().v.as_slice(), other.state().v.as_slice());
+    same("z", one.state().z.as_slice(), other.state().z.as_slice());
+    same("gates", one.state().gates.as_slice(), other.state().gates.as_slice());
+    same("energy", &[one.energy()], &[other.energy()]);
 }
