@@ -136,6 +136,9 @@ impl<D: 'static> Mechanism<f64> for Engine<D> {
     fn pressed_by(&self) -> &[Option<usize>] {
         &self.shared.tables.pressed_by
     }
+    fn slide_as_one(&self) -> &[usize] {
+        &self.shared.tables.slide_as_one
+    }
     fn grips(&self, holding: &mut List, sliding: &mut List) {
         if self.has(Function::Grips) {
             self.call(Function::Grips, &[], &mut [holding.as_mut_slice(), sliding.as_mut_slice()]);

@@ -32,6 +32,8 @@ pub struct Tables {
     pub sticks: bool,
     /// Of each gate that of the gap which presses, where it is dry friction.
     pub pressed_by: Vec<Option<usize>>,
+    /// Of each gate the first that slides as one with it, where any slides along several directions.
+    pub slide_as_one: Vec<usize>,
     /// Whether they part by Poisson's law.
     pub by_impulses: bool,
     pub internal_scales: Vec<f64>,
@@ -121,6 +123,7 @@ impl Tables {
             rigid: mechanism.is_rigid(),
             sticks: mechanism.sticks(),
             pressed_by: mechanism.pressed_by(),
+            slide_as_one: mechanism.slide_as_one(),
             by_impulses: mechanism.options.by_impulses,
             internal: names_of(states.iter().map(|state| &state.name).collect()),
             internal_scales: states

@@ -259,6 +259,12 @@ pub trait Mechanism<R: Real>: Variables<R> {
     fn sticks(&self) -> bool {
         false
     }
+    /// Of each gate the first of those that slide as one with it, where the surfaces of a joint slide along several directions: what resists them
+    /// is then against the whole sliding, of which each gate has a component; empty where each slides by itself.
+    #[inline(always)]
+    fn slide_as_one(&self) -> &[usize] {
+        &[]
+    }
     /// Of the dry friction of each joint the most that it holds with, and what it slides with, N or N·m, of these v̇ and λ.
     #[inline(always)]
     #[allow(clippy::too_many_arguments)]

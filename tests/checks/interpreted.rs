@@ -158,6 +158,7 @@ fn functions<M: Model>(compiled: &Compiled, engine: &Engine) {
         same("strikes: biases", biases.as_slice(), own_biases.as_slice());
         same("strikes: restitutions", shares.as_slice(), own_shares.as_slice());
         assert_eq!(model.pressed_by(), engine.pressed_by());
+        assert_eq!(model.slide_as_one(), engine.slide_as_one());
         // Where nothing is dry they write nothing.
         let [mut holding, mut sliding] = [at.gates.scaled(0.0), at.gates.scaled(0.0)];
         let [mut own_holding, mut own_sliding] = [own_zeros.scaled(0.0), own_zeros.scaled(0.0)];

@@ -8,6 +8,7 @@ mod ceilings;
 mod convergence;
 mod dormand_prince;
 mod dry;
+mod dry_along_several;
 mod dry_joints;
 mod emitted_code;
 mod events;

@@ -49,12 +49,20 @@ def gates(definition):
     word = definition.get("options", {}).get("contact", "live")
     sticking = [load for load in definition["loads"] if is_dry(load) and not find(definition, load["on"])]
     if sticking:
-        return [(load["name"], 0) for load in sticking]
+        return [(load["name"], which) for load in sticking for which in range(directions(definition, load))]
     if word != "held" and not any(is_rigid(contact) for contact in all_contacts):
         return []
     rubbing = [(load["name"], find(definition, load["on"])) for load in definition["loads"] if is_dry(load)]
     all_of = rubbing + [(contact["name"], contact) for contact in all_contacts]
     return [(name, which) for name, contact in all_of for which in range(count(definition, contact))]
+
+
+def directions(definition, load):
+    """Along how many coordinates the surfaces of a joint with dry friction slide."""
+    joint = next(joint for joint in definition["joints"] if joint["name"] == load["on"])
+    if joint["kind"] == "cylindrical":
+        return 2 if load.get("radius") else 1
+    return {"universal": 2, "spherical": 3}.get(joint["kind"], 1)
 
 
 def count(definition, contact):
@@ -174,7 +182,8 @@ class Contacts:
         """Of a dry friction how fast the surfaces slide at each gap, along the normal turned clockwise, or in its joint."""
         load = next(load for load in self.definition["loads"] if load["name"] == name)
         if not find(self.definition, load["on"]):
-            return [rate for group, _ in friction.slips(load, self.kinematics) for rate, _ in group]
+            along = [way for group, _ in friction.slips(load, self.kinematics) for way in group]
+            return [factor * rate for rate, factor in along if not factor.is_zero()]
         return [along_surface(velocity, normal) for velocity, normal in self.sliding(load["on"])]
 
     def restitutions(self, name):

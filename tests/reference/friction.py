@@ -105,7 +105,7 @@ def efforts(load, kinematics):
         return in_contact(load, kinematics)
     if contacts.is_dry(load):
         slidings = kinematics.contacts.slidings(load["name"])
-        return ca.vertcat(*slidings), kinematics.contacts.gates[load["name"], 0]
+        return ca.vertcat(*slidings), ca.vertcat(*[kinematics.contacts.gates[load["name"], k] for k in range(len(slidings))])
     pressed = normal(load, kinematics.model)
     rates, acting, deflections = [], [], iter(bristles.own(load, kinematics.model))
     for group, arm in slips(load, kinematics):

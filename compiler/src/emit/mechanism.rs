@@ -64,6 +64,11 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
             let entries = array(pressed.iter().map(|gate| format!("{gate:?}")));
             tables::method(text, "pressed_by", "&[Option<usize>]", &format!("&{entries}"));
         }
+        let as_one = mechanism.slide_as_one();
+        if !as_one.is_empty() {
+            let entries = array(as_one.iter().map(ToString::to_string));
+            tables::method(text, "slide_as_one", "&[usize]", &format!("&{entries}"));
+        }
         if mechanism.options.by_impulses {
             tables::method(text, "parts_by_impulses", "bool", "true");
         }

@@ -98,6 +98,21 @@ impl Bearing {
     pub fn turns(self) -> bool {
         matches!(self, Self::Pin | Self::Cross | Self::Ball)
     }
+
+    /// Along how many coordinates its surfaces slide; of a sleeve along one where nothing says its radius.
+    pub fn slides(self, radius: bool) -> usize {
+        match self {
+            Self::Pin | Self::Rail | Self::Point => 1,
+            Self::Sleeve => 1 + usize::from(radius),
+            Self::Cross => 2,
+            Self::Ball => 3,
+        }
+    }
+
+    /// Whether friction resists the size of the sliding along all coordinates, and not each by itself.
+    pub fn slides_as_one(self) -> bool {
+        matches!(self, Self::Sleeve | Self::Ball)
+    }
 }
 
 /// What lies between the places of a joint, for those who draw it.

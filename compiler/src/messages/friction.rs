@@ -7,17 +7,10 @@ pub(crate) fn friction_without_joint() -> String {
         .to_string()
 }
 
-pub(crate) fn dry_along_several(joint: &str, kind: &str) -> String {
-    format!(
-        "`dry` friction sticks along one coordinate, and the surfaces of `{joint}`, a {kind} joint, slide along several: write `lugre` or \
-         `asperity`, which hold what rests after a deflection of static/stiffness or coefficient/stiffness"
-    )
-}
-
 pub(crate) fn too_many_stick(most: usize) -> String {
     format!(
-        "which of the joints with `dry` friction hold is found among all ways in which they may, of {most} joints at most: write `coulomb` or \
-         `lugre` where none has to stick"
+        "which of the joints with `dry` friction hold is found among all ways in which they may, of {most} coordinates at most, of which a pin or a \
+         rail has one, a sleeve or a universal joint two, and a ball three: write `coulomb` or `lugre` where none has to stick"
     )
 }
 

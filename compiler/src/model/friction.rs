@@ -221,7 +221,7 @@ impl<'d> Lowering<'d> {
             [Subject::Touches(contact)] => {
                 self.held_by_contact(load, contact.0 - self.definition.loads.len(), at)
             }
-            [Subject::Bearing(joint, _)] => self.held_by_joint(load, *joint, at),
+            [Subject::Bearing(joint, _)] => self.held_by_joint(load, *joint),
             _ => None,
         }
     }
@@ -240,22 +240,25 @@ impl<'d> Lowering<'d> {
         self.gaps_of_contact(index).map(|gaps| vec![Expr::Number(0.0); gaps])
     }
 
-    /// Surfaces that slide along one coordinate, and nothing else that is held within a step.
-    fn held_by_joint(&mut self, load: &'d syntax::Load, joint: JointId, at: Region) -> Option<Vec<Expr>> {
+    /// Surfaces that slide along as many coordinates, and nothing else that is held within a step.
+    fn held_by_joint(&mut self, load: &'d syntax::Load, joint: JointId) -> Option<Vec<Expr>> {
         let definition = self.definition;
-        let joint = &definition.joints[joint.0];
-        let name = &joint.name.text;
-        if !matches!(joint.form.bearing?, Bearing::Pin | Bearing::Rail | Bearing::Point) {
-            self.diagnostics.error(at, messages::dry_along_several(name, joint.form.call.word));
-            return None;
-        }
-        self.is_dry_alone(load, name)?;
+        self.is_dry_alone(load, &definition.joints[joint.0].name.text)?;
         let others = definition.loads.iter().take_while(|other| !std::ptr::eq(*other, load));
-        if others.filter(|other| self.sticks(other)).count() == STICKING {
+        let before: usize = others.filter_map(|other| self.sticking_along(other)).sum();
+        let own = self.sticking_along(load)?;
+        if before <= STICKING && before + own > STICKING {
             self.diagnostics.error(load.name.region, messages::too_many_stick(STICKING));
-            return None;
         }
-        Some(vec![Expr::Number(0.0)])
+        (before + own <= STICKING).then(|| vec![Expr::Number(0.0); own])
+    }
+
+    /// Along how many coordinates a dry friction of a joint holds; nothing of others.
+    fn sticking_along(&self, load: &syntax::Load) -> Option<usize> {
+        let SubjectTerm::Name(label) = load.on.first().filter(|_| self.sticks(load))? else { return None };
+        let Some(Part::Joint(joint)) = self.names.part(&label.text) else { return None };
+        let bearing = self.definition.joints[joint].form.bearing?;
+        Some(bearing.slides(load.named.entry("radius").is_some()))
     }
 
     /// Whether no other holds there.

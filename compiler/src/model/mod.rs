@@ -39,8 +39,8 @@ mod vectors;
 mod written;
 
 use crate::diagnostics::{Allowed, Region};
-use crate::forms::BodyForm;
 pub use crate::forms::{Alone, JointAxes, JointForm, LoadForm, Space};
+use crate::forms::{Bearing, BodyForm};
 use crate::scalar::Scalar;
 pub use crate::syntax::Side;
 pub use crate::syntax::Way;
@@ -218,6 +218,20 @@ impl Mechanism {
             gates.iter().position(|gate| *gate == (contact, *which))
         };
         gates.iter().map(pressed).collect()
+    }
+
+    /// Of each gate the first of those that slide as one with it, along several directions; nothing where each slides by itself.
+    pub fn slide_as_one(&self) -> Vec<usize> {
+        let gates: Vec<(LoadId, usize)> = self.gates().collect();
+        let as_one = |load: &Load| {
+            let joint = load.bearing().filter(|_| load.form.holds);
+            joint.and_then(|joint| self.joints[joint.0].form.bearing).is_some_and(Bearing::slides_as_one)
+        };
+        let first = |(place, (load, which)): (usize, &(LoadId, usize))| {
+            if as_one(&self.loads[load.0]) { place - which } else { place }
+        };
+        let found: Vec<usize> = gates.iter().enumerate().map(first).collect();
+        if found.iter().enumerate().all(|(place, first)| place == *first) { Vec::new() } else { found }
     }
 
     /// The files that tables, parts and bodies were read from.

@@ -69,7 +69,7 @@ fn what_is_not_there_yet_is_refused() {
              friction f{i}: on(j{i}) = dry(torque [N*m] = 1); "
         );
     }
-    said(&arm(&many), "all ways in which they may, of 8 joints at most: write `coulomb` or");
+    said(&arm(&many), "all ways in which they may, of 8 coordinates at most, of which a pin or a rail has one");
 }
 
 #[test]
@@ -78,7 +78,7 @@ fn more_than_can_be_tried_are_told() {
     let source = format!(
         "planar Many {{ repeat i in 0..9 {{ {arms} friction rub[i]: on(pin[i]) = dry(torque [N*m] = 1); }} }}"
     );
-    let text = "which of the joints with `dry` friction hold is found among all ways in which they may, of 8 joints at most";
+    let text = "which of the joints with `dry` friction hold is found among all ways in which they may, of 8 coordinates at most";
     said(&source, text);
 }
 

@@ -10,6 +10,7 @@
 use super::course::Course;
 use super::locate::{Search, StandingOf, TRIALS};
 use super::occur::happens;
+use super::sticking::TURNING;
 use super::strike::{Blow, IMPACTS_PER_STEP};
 use super::{MechanismDynamics, Simulation, Step};
 use crate::clock::Clock;
@@ -26,6 +27,9 @@ use crate::vector::Vector;
 /// How often gates of contacts may open or close in one step; more is [`Chatter`](SimulationError::Chatter). Those that do so at one time count
 /// once.
 pub const EVENTS_PER_STEP: u32 = 32;
+
+/// The same where dry friction resists sliding along several directions: there steps are parted too while it comes to rest and leaves it.
+const PIECES_PER_STEP: u32 = 2 * TURNING;
 
 /// How far behind the time of a touch or release a piece may end, as a part of it; but at least four roundings.
 const LATE: f64 = 1e-12;
@@ -146,11 +150,16 @@ where
         let blow = self.hold()?;
         let whole = end;
         let (h, end) = self.until_tick(h, end);
+        let (h, end) = self.until_turned(h, end, *events);
         let begin = self.standing();
         let inputs = self.dynamics.present_inputs(self.time(), &self.run.state.clone());
         let mut step = self.step_by(h, end)?;
         let parted = match self.left() {
-            None => !self.run.clock.is_before(&end) && self.run.clock.is_before(&whole),
+            None => {
+                let parted = !self.run.clock.is_before(&end) && self.run.clock.is_before(&whole);
+                *events += u32::from(parted && self.model().sticks());
+                parted
+            }
             Some(first) => {
                 step = self.part(begin, step)?;
                 *events += 1;
@@ -169,7 +178,11 @@ where
     /// An error if touches and releases, or events, are too many for one step.
     fn check_count(&mut self, events: u32, first: usize) -> Result<(), SimulationError> {
         let strikes = self.model().is_rigid() && !self.model().sticks();
-        let most = if strikes { IMPACTS_PER_STEP } else { EVENTS_PER_STEP };
+        let most = match self.model().slide_as_one().is_empty() {
+            _ if strikes => IMPACTS_PER_STEP,
+            true => EVENTS_PER_STEP,
+            false => PIECES_PER_STEP,
+        };
         if events <= most {
             return Ok(());
         }

@@ -5,6 +5,7 @@
 //! the `clock.rs` of the crate, runs and their bounds `course.rs`, dense output `between.rs`, events are `event.rs` and `locate.rs`, gates that
 //! are held within a step `held.rs`, rigid contacts `rigid.rs`. Nothing here allocates.
 
+mod along_several;
 mod between;
 mod complementarity;
 mod course;

@@ -79,6 +79,9 @@ pub(super) struct Held<G> {
     pub groups: G,
     /// 1 of what rubs in a joint and holds; where it has no way either, neither is known yet.
     pub stuck: G,
+    /// How fast what slides along several directions did so when the piece of the step began, and in what time its way may change by as much.
+    pub speeds: G,
+    pub times: G,
 }
 
 impl<G> Held<G> {
@@ -87,7 +90,7 @@ impl<G> Held<G> {
         G: Vector<R>,
     {
         let zeros = || G::zeros(model.gate_names().len());
-        Held { ways: zeros(), groups: zeros(), stuck: zeros() }
+        Held { ways: zeros(), groups: zeros(), stuck: zeros(), speeds: zeros(), times: zeros() }
     }
 }
 

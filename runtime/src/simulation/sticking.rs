@@ -3,6 +3,7 @@
 //! ```text
 //! sticks    ẇ_i = J_i v̇ + J̇_i v = 0,   |y_i| ≤ b_i          w_i the rate of the joint, rad/s or m/s, y_i the force along it, N m or N
 //! slides    y_i = −σ_i f_i,   σ_i w_i ≥ 0, σ_i = ±1          and from rest σ_i ẇ_i ≥ 0                                       (Coulomb)
+//! as one    |y| ≤ b where ẇ = 0,   else y = −f w/|w|          and from rest −f ẇ/|ẇ|; w, y of a ball or a sleeve, along its directions
 //! ```
 //! v̇ and λ are what the formulation finds with the forces y; b and f may depend on them, by the reactions that press the surfaces, so that these
 //! equations are solved by Newton's method, all of them together. Its slopes are differences: they say how fast it ends, and not where. Which
@@ -10,10 +11,12 @@
 //! has no speed (`held.rs` parts the step there); then all ways are tried in which what has no speed may stick or slide, and the first that
 //! is consistent is taken: what sticks before what slides (Pfeiffer and Glocker, *Multibody Dynamics with Unilateral Contacts*, 1996, 5.3).
 
+use super::along_several::{alone, along_rates, begun, is_first, size, together};
 use super::complementarity::{Few, ROWS, solved};
-use super::rigid::{Held, LEAST, sharp, still, strikes};
+use super::rigid::{Held, LEAST, near, sharp, still, strikes};
 use super::strike::{Blow, SLOW};
 use super::{MechanismDynamics, Simulation};
+use crate::clock::Clock;
 use crate::error::SimulationError;
 use crate::formulation::Formulation;
 use crate::input::InputSource;
@@ -34,6 +37,19 @@ const RENEWED: f64 = 1e-3;
 
 /// What is taken where rounding lets a change shrink no more.
 const ROUNDED: f64 = 1e-9;
+
+/// How far something may slide on that is taken to stand, as a part of what counts as no gap.
+const FURTHER: f64 = 1e-3;
+
+/// Into how many pieces a step is parted at most so that methods follow what slides along several directions.
+pub(super) const TURNING: u32 = 512;
+
+/// A part of its speed at which what slides along several directions looks again where it goes.
+const SLOWER: f64 = 0.5;
+
+/// The most passes in which ways of what begins to slide along several directions are turned, and a last change of them.
+const TURNS: u32 = 60;
+const TURNED: f64 = 1e-11;
 
 /// What is left of the motion that a joint has by itself where others hold it, as a part of it without them.
 const TIED: f64 = 1e-6;
@@ -127,7 +143,12 @@ fn sticks<R: Real, G: Vector<R>>(held: &Held<G>, i: usize) -> bool {
 
 /// Whether it is said of each whether it sticks or slides.
 fn is_known<R: Real, M: Mechanism<R>>(model: &M, held: &Held<M::Gates>) -> bool {
-    (0..count(model)).all(|i| sticks::<R, _>(held, i) || !R::any(at(held.ways.as_slice(), i).equal(R::ZERO)))
+    (0..count(model)).all(|i| sticks::<R, _>(held, i) || goes(model, held, i))
+}
+
+/// Whether a joint slides, as far as is known.
+fn goes<R: Real, M: Mechanism<R>>(model: &M, held: &Held<M::Gates>, i: usize) -> bool {
+    together(model, i).any(|j| !R::any(at(held.ways.as_slice(), j).equal(R::ZERO)))
 }
 
 /// What is left of the equation of each: ẇ of what sticks, or how it shares that with others; y + σ f of what slides.
@@ -209,6 +230,7 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
     /// The forces with which what sticks does, and what slides is braked; nothing where there are none.
     fn balanced(&self, place: &Place<'_, R, M>, held: &Held<M::Gates>) -> Option<Moved<R, M>> {
         let count = count(self.model);
+        let held = &self.directed(place, held);
         let mut begin = place.state.gates.clone();
         // What several hold alike is shared by how they hold, and not by what they held before.
         let stuck = sticking::<R, _>(held, count);
@@ -216,9 +238,9 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
             put(begin.as_mut_slice(), i, R::ZERO);
         }
         let mut moved = self.moved(place, begin);
-        let size = |forces: &M::Gates| forces.max_abs().max(R::from_f64(LEAST));
+        let most = |forces: &M::Gates| forces.max_abs().max(R::from_f64(LEAST));
         let open = left(held, None, &moved);
-        let nothing = R::from_f64(64.0) * R::EPSILON * size(&moved.forces);
+        let nothing = R::from_f64(64.0) * R::EPSILON * most(&moved.forces);
         if stuck == 0 && R::any(largest(&open).less_equal(nothing)) {
             return Some(moved);
         }
@@ -231,7 +253,7 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
             for (force, change) in forces.as_mut_slice().iter_mut().zip(change) {
                 *force = *force + change;
             }
-            let (changed, whole) = (largest(&change), size(&forces));
+            let (changed, whole) = (largest(&change), most(&forces));
             moved = self.moved(place, forces);
             // Written so that a NaN ends it.
             if !R::any(changed.greater(enough * whole)) {
@@ -247,6 +269,17 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
             before = changed;
         }
         None
+    }
+
+    /// The same ways, of what slides along several directions as it does at this state: against w, and where w turns back beyond rest as before.
+    fn directed(&self, place: &Place<'_, R, M>, held: &Held<M::Gates>) -> Held<M::Gates> {
+        let (model, State { q, v, .. }) = (self.model, place.state);
+        let mut held = held.clone();
+        if !model.slide_as_one().is_empty() {
+            let rates = strikes(model, place.time, q, v).rates;
+            along_rates(model, &rates, R::from_f64(SLOW) * still(v.as_slice()), &mut held.ways);
+        }
+        held
     }
 
     fn slopes(&self, place: &Place<'_, R, M>, held: &Held<M::Gates>, moved: &Moved<R, M>) -> Slopes<R, M::V> {
@@ -298,46 +331,144 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
         let rates = strikes(model, place.time, q, v).rates;
         let slow = R::from_f64(SLOW) * still(v.as_slice());
         let rests = |i: usize| resting >> i & 1 == 1;
-        let way_of = |i: usize| match at(rates.as_slice(), i) {
-            _ if rests(i) || sticks::<R, _>(&self.held, i) => R::ZERO,
-            rate if R::any(rate.greater(slow)) => R::ONE,
-            rate if R::any(rate.less(-slow)) => -R::ONE,
-            _ => R::ZERO,
+        let stops = self.stops(place);
+        let way_of = |i: usize| {
+            let speed = size(model, &rates, i);
+            let slides = !rests(i)
+                && !sticks::<R, _>(&self.held, i)
+                && R::any(speed.greater(slow.max(at(stops.as_slice(), i))));
+            if slides { at(rates.as_slice(), i) / speed } else { R::ZERO }
         };
-        let is_open = |i: usize| R::any(way_of(i).equal(R::ZERO));
-        let whole = self.moved(place, zeros()).bends.max_abs();
+        let is_open = |i: usize| together(model, i).all(|j| R::any(way_of(j).equal(R::ZERO)));
+        let choices = |i: usize| match is_first(model, i) && is_open(i) {
+            true if alone(model, i) => 3,
+            true => 2,
+            false => 1,
+        };
+        let released = self.moved(place, zeros()).bends;
+        let whole = released.max_abs();
         let nothing = R::from_f64(NOTHING).max(R::from_f64(1000.0) * R::EPSILON) * whole;
         let nearly = R::from_f64(NEARLY_NOTHING).max(R::EPSILON.sqrt()) * whole;
-        let many = 3_usize.pow((0..count).filter(|i| is_open(*i)).count() as u32);
+        let many: usize = (0..count).map(choices).product();
         // What would stick and cannot slides where it is pushed, rather than back.
         let mut pushed = zeros();
         (0..many).find_map(|mut which| {
-            let (mut held, all) = (Held::none(model), which == 0);
+            let (mut held, all, mut begins) = (Held::none(model), which == 0, 0_usize);
             for i in 0..count {
-                let mut way = way_of(i);
-                if is_open(i) {
-                    let digit = which % 3;
-                    which /= 3;
-                    let on = if R::any(at(pushed.as_slice(), i).greater(R::ZERO)) { -R::ONE } else { R::ONE };
-                    way = [R::ZERO, on, -on].get(digit).copied().unwrap_or(R::ZERO);
-                    put(held.stuck.as_mut_slice(), i, if digit == 0 { R::ONE } else { R::ZERO });
-                }
-                put(held.ways.as_mut_slice(), i, way);
+                put(held.ways.as_mut_slice(), i, way_of(i));
+                put(held.speeds.as_mut_slice(), i, size(model, &rates, i));
             }
-            let moved = self.balanced(place, &held)?;
+            for i in (0..count).filter(|i| choices(*i) > 1) {
+                let digit = which % choices(i);
+                which /= choices(i);
+                let on = if R::any(at(pushed.as_slice(), i).greater(R::ZERO)) { -R::ONE } else { R::ONE };
+                for j in together(model, i) {
+                    let way = match digit {
+                        0 => R::ZERO,
+                        // Where it would go with no friction at all, to begin with.
+                        1 if !alone(model, i) => at(released.as_slice(), j) / size(model, &released, i),
+                        1 => on,
+                        _ => -on,
+                    };
+                    put(held.ways.as_mut_slice(), j, way);
+                    put(held.stuck.as_mut_slice(), j, if digit == 0 { R::ONE } else { R::ZERO });
+                }
+                if digit == 1 && !alone(model, i) {
+                    begins |= 1 << i;
+                }
+            }
+            let mut moved = self.balanced(place, &held)?;
+            if begins != 0 {
+                moved = self.turned(place, &mut held, moved, begins)?;
+            }
             if all {
                 pushed = moved.forces.clone();
             }
             let is_consistent = |i: usize| {
                 if sticks::<R, _>(&held, i) {
                     let most = (R::ONE + sharp()) * at(moved.holding.as_slice(), i);
-                    return R::any(at(moved.forces.as_slice(), i).abs().less_equal(most));
+                    return R::any(size(model, &moved.forces, i).less_equal(most));
                 }
-                let along = at(held.ways.as_slice(), i) * at(moved.bends.as_slice(), i);
+                let product = |j| at(held.ways.as_slice(), j) * at(moved.bends.as_slice(), j);
+                let along = together(model, i).fold(R::ZERO, |sum, j| sum + product(j));
                 !is_open(i) || R::any(along.greater_equal(-if rests(i) { nearly } else { nothing }))
             };
-            (0..count).all(is_consistent).then_some((held, moved))
+            (0..count).filter(|i| is_first(model, *i)).all(is_consistent).then_some((held, moved))
         })
+    }
+
+    /// Says in what times the ways of what slides along several directions may change as much as the speeds do: |w|/(f tr G).
+    fn pace(&self, place: &Place<'_, R, M>, held: &mut Held<M::Gates>, moved: &Moved<R, M>) {
+        let (model, stops) = (self.model, self.stops(place));
+        let slides = |i: &usize| is_first(model, *i) && !alone(model, *i) && !sticks::<R, _>(held, *i);
+        let sliding = (0..count(model)).filter(slides).fold(0_usize, |set, i| set | 1 << i);
+        if sliding == 0 {
+            return;
+        }
+        let yielding = self.yielding(place, &self.slopes(place, held, moved).ways);
+        for i in (0..count(model)).filter(|i| sliding >> i & 1 == 1) {
+            let own = |j: usize| yielding.get(j).map_or(R::ZERO, |row| at(row, j));
+            let trace = together(model, i).fold(R::ZERO, |sum, j| sum + own(j));
+            let speed = at(held.speeds.as_slice(), i).max(at(stops.as_slice(), i));
+            put(held.times.as_mut_slice(), i, speed / (at(moved.sliding.as_slice(), i) * trace));
+        }
+    }
+
+    /// Of what slides along several directions the speed with which it gets no further than `FURTHER` before it stands, if friction stops it:
+    /// there is no way of its own in that, which methods could follow.
+    fn stops(&self, place: &Place<'_, R, M>) -> M::Gates {
+        let model = self.model;
+        let mut speeds = M::Gates::zeros(model.gate_names().len());
+        if model.slide_as_one().is_empty() {
+            return speeds;
+        }
+        let bends = self.moved(place, place.state.gates.clone()).bends;
+        let further = R::from_f64(FURTHER) * near::<R>();
+        for i in (0..count(model)).filter(|i| !alone(model, *i)) {
+            put(speeds.as_mut_slice(), i, (further * size(model, &bends, i)).sqrt());
+        }
+        speeds
+    }
+
+    /// Turns the ways of what begins to slide along several directions until each is against its own force; nothing where one is held.
+    fn turned(
+        &self,
+        place: &Place<'_, R, M>,
+        held: &mut Held<M::Gates>,
+        mut moved: Moved<R, M>,
+        begins: usize,
+    ) -> Option<Moved<R, M>> {
+        let (model, slopes) = (self.model, self.slopes(place, held, &moved));
+        let yielding = self.yielding(place, &slopes.ways);
+        let enough = R::from_f64(TURNED).max(R::from_f64(64.0) * R::EPSILON);
+        for _ in 0..TURNS {
+            let mut most = R::ZERO;
+            for i in (0..count(model)).filter(|i| begins >> i & 1 == 1) {
+                let force = at(moved.sliding.as_slice(), i);
+                if !R::any(force.greater(R::from_f64(LEAST))) {
+                    continue;
+                }
+                let set = together(model, i).fold(0_usize, |set, j| set | 1 << j);
+                let own: Few<R> = core::array::from_fn(|j| match set >> j & 1 {
+                    1 => at(moved.forces.as_slice(), j),
+                    _ => R::ZERO,
+                });
+                let open = core::array::from_fn(|j| {
+                    at(moved.bends.as_slice(), j) - yielding.get(j).map_or(R::ZERO, |row| dot(row, &own))
+                });
+                let forces = begun(&yielding, &open, set, force)?;
+                for j in together(model, i) {
+                    let way = -at(&forces, j) / force;
+                    most = most.max((way - at(held.ways.as_slice(), j)).abs());
+                    put(held.ways.as_mut_slice(), j, way);
+                }
+                moved = self.balanced(place, held)?;
+            }
+            if R::any(most.less_equal(enough)) {
+                return Some(moved);
+            }
+        }
+        None
     }
 }
 
@@ -359,7 +490,7 @@ where
         // What others hold rests, whatever a method leaves of its rate.
         let tied = |i: &usize| R::any(at(self.dynamics.held.groups.as_slice(), *i).greater(R::ZERO));
         let mut resting = (0..count).filter(tied).fold(0_usize, |set, i| set | 1 << i);
-        let (held, forces) = loop {
+        let (mut held, moved) = loop {
             let place = Place { time, state: &state, inputs: &inputs };
             let Some((mut held, moved)) = self.dynamics.sought(&place, resting) else {
                 let time = time.to_f64();
@@ -370,7 +501,7 @@ where
             };
             let stuck = sticking::<R, _>(&held, count);
             if stuck == 0 {
-                break (held, moved.forces);
+                break (held, moved);
             }
             let slopes = self.dynamics.slopes(&place, &held, &moved);
             let (yielding, firm) = (self.dynamics.yielding(&place, &slopes.ways), slopes.ties.firm);
@@ -392,28 +523,43 @@ where
             for (along, way) in back.iter().zip(&slopes.ways) {
                 state.v.axpy(*along, way);
             }
-            break (held, moved.forces);
+            break (held, moved);
         };
         let before = &self.dynamics.held;
+        self.dynamics.pace(&Place { time, state: &state, inputs: &inputs }, &mut held, &moved);
         let differs = |i: usize| {
             sticks::<R, _>(before, i) != sticks::<R, _>(&held, i)
-                || at(before.ways.as_slice(), i) != at(held.ways.as_slice(), i)
+                || alone(model, i) && at(before.ways.as_slice(), i) != at(held.ways.as_slice(), i)
         };
         let mut blow = Blow::none();
         if is_known(model, before) {
-            blow.changed = (0..count).filter(|i| differs(*i)).count() as u32;
+            blow.changed = (0..count).filter(|i| is_first(model, *i) && differs(*i)).count() as u32;
         }
         if (0..count).any(differs) {
             // What a method carries from step to step is of the motion before.
             self.memory = self.integrator.memory();
         }
-        state.gates = forces;
+        state.gates = moved.forces;
         self.run.state = state;
         self.dynamics.held = held;
         Ok(blow)
     }
 
-    /// Of each joint, and zero: where it sticks how much more it could hold, where it slides how fast it does.
+    /// Where a piece of a step is to stop for what slides along several directions: as it comes to rest and leaves it, what resists turns as fast as
+    /// it does, and explicit methods cannot follow in longer ones.
+    pub(super) fn until_turned(&self, h: R, end: Clock<R>, pieces: u32) -> (R, Clock<R>) {
+        let times = self.dynamics.held.times.as_slice();
+        let limits = times.iter().filter(|time| R::any(time.greater(R::ZERO)));
+        let least = limits.fold(h, |least, time| time.min(least));
+        if pieces < TURNING && R::any(least.less(h)) {
+            (least, self.run.clock.after(least))
+        } else {
+            (h, end)
+        }
+    }
+
+    /// Of each joint, and zero: where it sticks how much more it could hold, where it slides how fast it does; along
+    /// several directions how much faster than half as fast as when it began, that way.
     pub(super) fn sticking_guards(&mut self) -> [M::Gates; 2]
     where
         S: InputSource<R, M>,
@@ -429,16 +575,23 @@ where
             self.dynamics.balanced(&place, held)
         });
         for i in all {
+            let tied = |j: usize| R::any(at(held.groups.as_slice(), j).greater(R::ZERO));
+            let along = |j: usize| at(held.ways.as_slice(), j) * at(rates.as_slice(), j);
             let guard = match &moved {
+                _ if !is_first(model, i) => R::ONE,
                 Some(Some(moved)) if sticks::<R, _>(held, i) => {
                     let most = (R::ONE + sharp()) * at(moved.holding.as_slice(), i);
-                    most - at(moved.forces.as_slice(), i).abs()
+                    most - size(model, &moved.forces, i)
                 }
                 // It ends where nothing balances it any more.
                 Some(None) if sticks::<R, _>(held, i) => -R::ONE,
                 // What others hold does so as long as they do.
-                _ if R::any(at(held.groups.as_slice(), i).greater(R::ZERO)) => R::ONE,
-                _ => at(held.ways.as_slice(), i) * at(rates.as_slice(), i),
+                _ if together(model, i).all(tied) => R::ONE,
+                _ if alone(model, i) => along(i),
+                _ => {
+                    let slower = R::from_f64(SLOWER) * at(held.speeds.as_slice(), i);
+                    together(model, i).fold(-slower, |sum, j| sum + along(j))
+                }
             };
             put(guards.as_mut_slice(), i, guard);
         }

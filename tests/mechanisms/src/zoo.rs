@@ -247,6 +247,7 @@ macro_rules! for_each_in_zoo {
             gripping: $crate::zoo_gates::Gripping,
             braking: $crate::zoo_dry::Braking,
             braking_in_space: $crate::zoo_dry::BrakingInSpace,
+            braking_all_ways: $crate::zoo_dry::BrakingAllWays,
             remembering: $crate::zoo_memories::Remembering,
             yielding: $crate::zoo_penalties::Yielding,
             yielding_in_space: $crate::zoo_penalties::YieldingInSpace,

@@ -51,3 +51,29 @@ linkwright::mechanism! {
         output lost [W] = -power(stays) - power(shoe);
     }
 }
+
+linkwright::mechanism! {
+    /// A rod that turns and slides in its sleeve, a bob in a ball on it, and a flag on two pins that cross.
+    pub spatial BrakingAllWays {
+        gravity [m/s^2] = (0, 1, -9.81);
+        param grip = 0.5 in 0..2;
+        input wind [N*m];
+        body rod_ { mass [kg] = 2; inertia [kg*m^2] = (0.01, 0.05, 0.05); point eye [m] = (0.3, 0.02, 0); }
+        body bob { mass [kg] = 1; inertia [kg*m^2] = (0.02, 0.03, 0.01); point eye [m] = (0, 0, 0.2); }
+        body flag { mass [kg] = 0.5; inertia [kg*m^2] = (0.01, 0.004, 0.012); point foot [m] = (0.02, 0, -0.25); }
+        joint sleeve: cylindrical(ground(0, 0, 0) [m], rod_.center, axis = (1, 0, 0.1));
+        joint ball: spherical(rod_.eye, bob.eye);
+        joint cross: universal(ground(1, 0, 0) [m], flag.foot, axis = (1, 0, 0), second_axis = (0, 1, 0));
+        friction bush: on(sleeve) = dry(static = grip, kinetic = 0.3, radius [m] = 0.03, length [m] = 0.2, force [N] = 0.5);
+        friction socket: on(ball) = dry(static = 0.4, kinetic = 0.3, radius [m] = 0.02, torque = 0.01 [N*m] + wind*wind/(1 [N*m]), breakaway [N*m] = 0.05);
+        friction pins: on(cross) = dry(static = 0.5, kinetic = 0.4, radius [m] = 0.015, torque [N*m] = 0.02);
+        start {
+            sleeve.angle [deg] = 20; sleeve.rate [rad/s] = 8; sleeve.travel [m] = 0.1; sleeve.speed [m/s] = 0.5;
+            bob.rate.x [rad/s] = 1; bob.rate.y [rad/s] = -4; bob.rate.z [rad/s] = 2;
+            cross.angle_1 [deg] = 30; cross.rate_1 [rad/s] = 3; cross.angle_2 [deg] = -10; cross.rate_2 [rad/s] = 0;
+        }
+        options { emit = (penalty, projection, null_space); }
+        output pressed [N] = bush.normal + socket.normal + pins.normal;
+        output lost [W] = -power(bush) - power(socket) - power(pins);
+    }
+}

@@ -4,12 +4,13 @@
 //! contact   holds with |F| ≤ μ_s N, slides with μ_k N
 //! joint     holds with |F| ≤ b + r μ_s N, slides with f + r μ_k N       r the radius of what turns, else 1; N as `bearing` has it
 //! ```
-//! Its force (N or N m) is a number of the state, along what slides: what it is, and when it changes between both, follows in the run from all
+//! Its force (N or N m) is a number of the state, of each component along what slides, of which |F| is the size: what it is, and when it changes between both, follows in the run from all
 //! that touches (`simulation/rigid.rs` of the runtime; Pfeiffer and Glocker, *Multibody Dynamics with Unilateral Contacts*, 1996, 5) or that
 //! rubs in joints (`simulation/sticking.rs` there).
 
 use super::bearing::{LENGTH, RADIUS, SHOULDER};
 use super::{bearing, pressed, slips, touching};
+use crate::equations::jet::Moving;
 use crate::equations::laws::Laws;
 use crate::equations::loads::{LoadKind, LoadTerms, along, no_rotors};
 use crate::forms::{Acts, Argument, Form, Law, LoadForm, Need, Value};
@@ -53,30 +54,47 @@ pub static LOAD: LoadKind = LoadKind {
     },
     terms,
     inner: None,
-    effort: Some(|laws, load| laws.g.sum(forces(laws, load))),
+    effort: Some(effort),
     counted: no_rotors,
     symbol: |_| {},
 };
 
-/// Of each gap of the contact; of a joint one.
+/// Of each gap of the contact; of a joint along each of the coordinates that slide.
 fn forces<'g>(laws: &Laws<'g>, load: &Load) -> Vec<Scalar<'g>> {
     let id = laws.mechanism.loads.iter().position(|it| std::ptr::eq(it, load)).map(LoadId);
     let gates = id.into_iter().flat_map(|id| (0..load.ungated.len()).map(move |which| (id, which)));
     gates.map(|(id, which)| laws.gate(id, which)).collect()
 }
 
+/// The coordinates that slide, and by how much each moves the surfaces on each other; none that moves them by nothing.
+fn slide<'g>(laws: &Laws<'g>, load: &Load) -> Vec<(Moving<'g>, Scalar<'g>)> {
+    let along = slips(laws, load).into_iter().flat_map(|slip| slip.along);
+    along.filter(|(_, lever)| !lever.is_zero()).collect()
+}
+
 fn terms<'g>(laws: &Laws<'g>, load: &Load) -> LoadTerms<'g> {
-    slips(laws, load).iter().zip(forces(laws, load)).fold(LoadTerms::none(laws), |sum, (slip, force)| {
-        slip.along.iter().fold(sum, |sum, (coordinate, _)| sum.and(along(coordinate, force)))
+    let slide = slide(laws, load).into_iter().zip(forces(laws, load));
+    slide.fold(LoadTerms::none(laws), |sum, ((coordinate, lever), force)| {
+        sum.and(along(&coordinate, lever * force))
     })
 }
 
-/// Of each gap, or of the joint: how fast the surfaces slide, and the derivative of that at v̇ = 0.
+/// Of a contact in all; of a joint along the first coordinate that slides.
+fn effort<'g>(laws: &Laws<'g>, load: &Load) -> Scalar<'g> {
+    if load.contact().is_some() {
+        return laws.g.sum(forces(laws, load));
+    }
+    let first = slide(laws, load).into_iter().zip(forces(laws, load)).next();
+    first.map_or_else(|| laws.g.zero(), |((_, lever), force)| lever * force)
+}
+
+/// Of each gap, or of the joint along each coordinate: how fast the surfaces slide, and the derivative of that at v̇ = 0.
 pub fn slidings(laws: &Laws, load: &Load) -> Vec<[Node; 2]> {
     let Some(contact) = load.contact() else {
-        let slips = bearing::slips(laws, load);
-        let along = slips.iter().flat_map(|slip| &slip.along);
-        return along.map(|(coordinate, _)| [coordinate.rate().bare, coordinate.bias().bare]).collect();
+        let moved = |(coordinate, lever): (Moving, Scalar)| {
+            [coordinate.rate(), coordinate.bias()].map(|it| (lever * it).bare)
+        };
+        return slide(laws, load).into_iter().map(moved).collect();
     };
     let all = laws.mechanism.loads[contact.0].slides.iter();
     all.map(|sliding| touching::moved(laws, sliding).map(|it| it.bare)).collect()
@@ -87,8 +105,8 @@ pub fn shares(laws: &Laws, load: &Load) -> [Node; 2] {
     ["static", "kinetic"].map(|name| laws.value(load.named(name)).bare)
 }
 
-/// Of the dry friction of a joint the most that it holds with, and what it slides with, N or N m.
-pub fn bounds(laws: &Laws, load: &Load) -> [Node; 2] {
+/// Of the dry friction of a joint the most that it holds with, and what it slides with, N or N m, for each of its gates.
+pub fn bounds(laws: &Laws, load: &Load) -> Vec<[Node; 2]> {
     let slips = bearing::slips(laws, load);
     let radius = slips.first().map_or_else(|| laws.g.one(), |slip| slip.radius);
     let by_load = radius * pressed(laws, load);
@@ -97,7 +115,7 @@ pub fn bounds(laws: &Laws, load: &Load) -> [Node; 2] {
     let own = [named("breakaway"), slides];
     let shares = ["static", "kinetic"].map(named);
     let [holds, slides] = [0, 1].map(|which| own[which] + shares[which] * by_load);
-    ordered(laws, load, holds, slides)
+    vec![ordered(laws, load, holds, slides); load.ungated.len()]
 }
 
 /// Of what varies: what would push does nothing, and what slides holds with as much at least. Of numbers that is checked.

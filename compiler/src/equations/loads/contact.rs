@@ -90,5 +90,5 @@ pub fn grips(laws: &Laws) -> Vec<[Node; 2]> {
 /// What the dry friction of each joint holds and slides with, in the order of the gates, which are all of joints then.
 pub fn bounds(laws: &Laws) -> Vec<[Node; 2]> {
     let sticking = laws.mechanism.loads.iter().filter(|load| load.sticks());
-    sticking.map(|load| friction::bounds(laws, load)).collect()
+    sticking.flat_map(|load| friction::bounds(laws, load)).collect()
 }
