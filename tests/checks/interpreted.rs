@@ -1,4 +1,5 @@
-//! Every mechanism that ships, and those of the zoo, interpreted: tables, functions and runs are those of the emitted code, to the bit. Rounding is the same where multiply and add are not fused in look-ups of tables: on targets without that instruction.
+//! Every mechanism that ships, and those of the zoo, interpreted: tables, functions and runs are those of the emitted code, to the bit. Rounding is the same
+//! where multiply and add are not fused in look-ups of tables: on targets without that instruction.
 
 use crate::registry::{At, Model, Random, compiled, fields, for_each, vector};
 use linkwright::{
