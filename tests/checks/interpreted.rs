@@ -7,7 +7,7 @@ use linkwright::{
     Projected, Simulation, State, StateOf, Variables, Vector,
 };
 use linkwright_compiler::Compiled;
-use linkwright_engine::{Engine, List, Made, Numbers};
+use linkwright_engine::{Engine, List, Numbers};
 
 /// Bits of lists that have to be the same.
 fn same(what: &str, emitted: &[f64], interpreted: &[f64]) {

@@ -69,7 +69,10 @@ fn what_is_not_there_yet_is_refused() {
              friction f{i}: on(j{i}) = dry(torque [N*m] = 1); "
         );
     }
-    said(&arm(&many), "all ways in which they may, of 8 coordinates at most, of which a pin or a rail has one");
+    said(
+        &arm(&many),
+        "all ways in which they may, of 8 coordinates at most, of which a pin or a rail has one",
+    );
 }
 
 #[test]
