@@ -24,7 +24,7 @@ fn steps_have_the_same_bits<M: Model>() {
     if !has_cc() {
         return;
     }
-    let definition = parse(M::SOURCE.parse().expect("the source was tokens")).expect("it was a definition");
+    let definition = parse(M::source().parse().expect("the source was tokens")).expect("it was a definition");
     let projected =
         compile_with(&definition, None, &[]).expect("it compiled").mechanism.options.emit.projection;
     let compiled = compile_with(&definition, None, &["projection"]).expect("it compiles");

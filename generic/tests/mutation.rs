@@ -201,7 +201,7 @@ impl<'a, M: Model> Judge<'a, M> {
 }
 
 fn every_mutant_is_caught<M: Model>(name: &str, texts: [&str; 2], seeds: u64) {
-    let tokens = M::SOURCE.parse().unwrap_or_else(|error| panic!("{error}"));
+    let tokens = M::source().parse().unwrap_or_else(|error| panic!("{error}"));
     let compiled = compile(tokens, None).unwrap_or_else(|errors| panic!("{errors}"));
     let model = M::standard();
     let judge = Judge::new(name, &compiled, &model, texts, seeds);

@@ -25,11 +25,11 @@ fn held_is_live_at_one_state<M: Model>() {
         return;
     }
     let word = "contact = held;";
-    assert!(M::SOURCE.contains(word), "{}", model.name());
+    assert!(M::source().contains(word), "{}", model.name());
     let (mut closed, mut open) = (0, 0);
     for coordinates in [Coordinates::Tree, Coordinates::Absolute] {
-        let held = in_coordinates(M::SOURCE, coordinates);
-        let live = in_coordinates(&M::SOURCE.replace(word, ""), coordinates);
+        let held = in_coordinates(M::source(), coordinates);
+        let live = in_coordinates(&M::source().replace(word, ""), coordinates);
         assert!(held.mechanism.gates().count() > 0 && live.mechanism.gates().count() == 0);
         let mut random = Random::new(50);
         for _ in 0..STATES {

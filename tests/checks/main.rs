@@ -1,6 +1,7 @@
 //! The checks of the shipped models, in one binary, because generic models are compiled again in each. Only
 //! `tests/no_alloc.rs`, as much again, is one of its own, which is built beside this one.
 
+mod agreement;
 mod architecture;
 mod balances;
 mod both_orders;

@@ -100,7 +100,7 @@ fn softened_constraints_are_solved<M: Model>() {
 /// K(c) as it is written out where a definition asks for it, in both sets of coordinates: the programs by the interpreter.
 fn written_out_factorisations_solve<M: Model>() {
     let model = M::standard();
-    let source = M::SOURCE.trim_end().strip_suffix('}').expect("a definition ends in a brace");
+    let source = M::source().trim_end().strip_suffix('}').expect("a definition ends in a brace");
     let source = format!("{source} options {{ emit = (penalty, projection); }} }}");
     for coordinates in [Coordinates::Tree, Coordinates::Absolute] {
         let tokens = source.parse().expect("tokens");
@@ -179,7 +179,7 @@ fn written_out_factorisations_solve<M: Model>() {
 /// D v = ν, D v̇ = γ and M v̇ + Dᵀ λ = Q hold where the programs say so, by the interpreter.
 fn written_out_null_spaces_solve<M: Model>() {
     let model = M::standard();
-    let source = M::SOURCE.trim_end().strip_suffix('}').expect("a definition ends in a brace");
+    let source = M::source().trim_end().strip_suffix('}').expect("a definition ends in a brace");
     let source = format!("{source} options {{ emit = (null_space); }} }}");
     for coordinates in [Coordinates::Tree, Coordinates::Absolute] {
         let Ok(compiled) = compile(source.parse().expect("tokens"), Some(coordinates)) else {

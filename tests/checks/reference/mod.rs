@@ -4,11 +4,11 @@
 //! With CasADi the script judges over a hundred random states and parameter sets of each kind. Without a network the
 //! committed values of the same script are compared instead (`recorded`), unless `REQUIRE_CASADI` is set.
 
-mod casadi;
+pub mod casadi;
 mod control;
-mod mutation;
+pub mod mutation;
 pub mod random;
-mod recorded;
+pub mod recorded;
 mod request;
 mod sensitivity;
 pub mod states;
@@ -21,7 +21,7 @@ use std::path::{Path, PathBuf};
 pub fn models() -> Vec<(&'static str, &'static str, &'static str)> {
     macro_rules! list {
         ($($name:ident: $model:path),* $(,)?) => {{
-            vec![$((stringify!($name), <$model as crate::registry::Model>::SOURCE, <$model>::DEFINITION)),*]
+            vec![$((stringify!($name), <$model as crate::registry::Model>::source(), <$model>::DEFINITION)),*]
         }};
     }
     linkwright_models::for_each_model!(list)
@@ -87,18 +87,26 @@ const NOT_RECORDED: [&str; 50] = [
 ];
 
 /// The models, and what is recorded of the zoo.
-fn recorded_models() -> Vec<(&'static str, &'static str, &'static str)> {
+pub fn recorded_models() -> Vec<(&'static str, &'static str, &'static str)> {
     let mut all = models();
     all.retain(|(name, ..)| !NOT_RECORDED.contains(name));
     all.extend(zoo().into_iter().filter(|(name, ..)| RECORDED_OF_ZOO.contains(name)));
     all
 }
 
+/// What is not recorded: mechanisms of the zoo, and models.
+pub fn others() -> [Vec<(&'static str, &'static str, &'static str)>; 2] {
+    let rest = |all: Vec<(&'static str, _, _)>, names: &[&str], recorded: bool| {
+        all.into_iter().filter(|(name, ..)| names.contains(name) != recorded).collect()
+    };
+    [rest(zoo(), &RECORDED_OF_ZOO, true), rest(models(), &NOT_RECORDED, false)]
+}
+
 /// The same of the zoo's mechanisms.
 fn zoo() -> Vec<(&'static str, &'static str, &'static str)> {
     macro_rules! list {
         ($($name:ident: $model:path),* $(,)?) => {{
-            vec![$((stringify!($name), <$model as crate::registry::Model>::SOURCE, <$model>::DEFINITION)),*]
+            vec![$((stringify!($name), <$model as crate::registry::Model>::source(), <$model>::DEFINITION)),*]
         }};
     }
     crate::zoo::for_each_in_zoo!(list)
@@ -119,32 +127,8 @@ pub fn hash(definition: &str) -> String {
     format!("{hash:016x}")
 }
 
-#[test]
-fn models_agree_with_casadi() {
-    let Some(python) = python() else {
-        recorded::compare_all();
-        return;
-    };
-    let record = recorded::folder();
-    let mutated = mutation::MODELS.join(",");
-    let mut arguments = vec!["--minimum", "100"];
-    if std::env::var_os("RECORD_CASADI").is_some() {
-        arguments.extend(["--record", record.to_str().unwrap(), "--mutated", &mutated]);
-    }
-    compare(&python, &write_requests("requests", &recorded_models()), &arguments);
-}
-
-/// The rest is not recorded: without CasADi the other checks are all there is of it.
-#[test]
-fn the_zoo_agrees_with_casadi() {
-    let Some(python) = python() else { return };
-    let mut rest: Vec<_> = zoo().into_iter().filter(|(name, ..)| !RECORDED_OF_ZOO.contains(name)).collect();
-    rest.extend(models().into_iter().filter(|(name, ..)| NOT_RECORDED.contains(name)));
-    compare(&python, &write_requests("zoo-requests", &rest), &["--minimum", "100"]);
-}
-
 /// Python with CasADi; none where it is not to be had and need not be.
-fn python() -> Option<PathBuf> {
+pub fn python() -> Option<PathBuf> {
     match casadi::python() {
         Ok(python) => {
             println!("comparing with CasADi itself");
@@ -159,7 +143,7 @@ fn python() -> Option<PathBuf> {
 }
 
 /// Writes the requests of some mechanisms into a folder of their own.
-fn write_requests(folder: &str, models: &[(&str, &str, &str)]) -> PathBuf {
+pub fn write_requests(folder: &str, models: &[(&str, &str, &str)]) -> PathBuf {
     let requests = casadi::target().join(folder);
     let _ = std::fs::remove_dir_all(&requests);
     std::fs::create_dir_all(&requests).unwrap();
@@ -174,7 +158,7 @@ fn write_requests(folder: &str, models: &[(&str, &str, &str)]) -> PathBuf {
     requests
 }
 
-fn compare(python: &Path, requests: &Path, arguments: &[&str]) {
+pub fn compare(python: &Path, requests: &Path, arguments: &[&str]) {
     match casadi::check(python, requests, arguments) {
         Ok(report) => println!("{report}"),
         Err(report) => panic!("{report}"),

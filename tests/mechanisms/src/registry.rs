@@ -24,7 +24,8 @@ pub trait Model:
     > + Report<f64>
     + Sized
 {
-    const SOURCE: &'static str;
+    /// The definition, with names of files from the root of the file system.
+    fn source() -> &'static str;
     /// The same mechanism in single precision.
     type Single: Assemble<f32, Inputs: Fields<f32>, Outputs: Fields<f32>>;
 
@@ -94,13 +95,12 @@ pub struct At<M: Model> {
 macro_rules! model {
     ($($first:tt $(:: $segment:ident)*),* $(,)?) => { $(
         impl $crate::registry::Model for $first $(:: $segment)* <f64> {
-            const SOURCE: &'static str = {
-                const WRITTEN: &str = <$first $(:: $segment)* <f64>>::SOURCE;
-                const BYTES: [u8; $crate::files::length(WRITTEN)] = $crate::files::from_the_root(WRITTEN);
-                $crate::files::text(&BYTES)
-            };
             type Single = $first $(:: $segment)* <f32>;
 
+            fn source() -> &'static str {
+                static TEXT: std::sync::OnceLock<String> = std::sync::OnceLock::new();
+                TEXT.get_or_init(|| $crate::files::from_the_root(<$first $(:: $segment)* <f64>>::SOURCE))
+            }
             fn standard() -> Self {
                 Self::default()
             }
@@ -169,7 +169,7 @@ pub fn vector<V: Vector<f64>>(values: &[f64]) -> V {
 
 /// The mechanism through all stages but the last, in the coordinates of its emitted code or in others.
 pub fn compiled<M: Model>(coordinates: Option<Coordinates>) -> Compiled {
-    let tokens = M::SOURCE.parse().expect("the source was tokens");
+    let tokens = M::source().parse().expect("the source was tokens");
     compile(tokens, coordinates).expect("the definition was compiled before")
 }
 
