@@ -87,7 +87,7 @@ fn language_page_names_what_there_is() {
     }
 }
 
-/// The messages of `docs/messages.md` are those of the pairs in `tests/ui` that stand before them.
+/// The messages of `docs/messages.md` are those of the pairs in `tests/messages/ui` that stand before them.
 #[test]
 fn message_page_shows_what_is_printed() {
     let page = read("docs/messages.md");
@@ -99,8 +99,10 @@ fn message_page_shows_what_is_printed() {
             continue;
         }
         let (text, _) = section.split_once("```text\n").expect("a message");
-        let pair =
-            text.split('`').find(|name| name.starts_with("tests/ui/")).expect("the pair that it is of");
+        let pair = text
+            .split('`')
+            .find(|name| name.starts_with("tests/messages/ui/"))
+            .expect("the pair that it is of");
         let message = read(&pair.replace(".rs", ".stderr"));
         expected += &format!("\n## {text}```text\n{message}```\n");
         shown += 1;

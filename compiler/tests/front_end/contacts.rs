@@ -228,7 +228,7 @@ fn a_profile_is_a_closed_curve_about_its_place() {
     only(speed, "expected rad, found m");
 }
 
-/// Those of surfaces and laws that no pair in `tests/ui` shows.
+/// Those of surfaces and laws that no pair in `tests/messages/ui` shows.
 #[test]
 fn one_message_for_each_mistake() {
     let law = |rest: &str| ball(1.0, &format!("contact touch: between(ball.surface, floor) = {rest};"));

@@ -1,5 +1,5 @@
 //! Every text of a message is what some test sees: of each literal in the sources of the messages, a piece stands in a
-//! pair of `tests/ui` or in a test of the compiler or of the command line.
+//! pair of `tests/messages/ui` or in a test of the compiler or of the command line.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -29,7 +29,7 @@ const UNSEEN: [&str; 10] = [
 fn every_text_is_seen_by_a_test() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut seen = String::new();
-    for file in files(&root.join("../tests/ui"), "stderr") {
+    for file in files(&root.join("../tests/messages/ui"), "stderr") {
         seen += &read(&file);
     }
     let tests = files(&root.join("tests"), "rs").into_iter().chain(files(&root.join("../cli/tests"), "rs"));

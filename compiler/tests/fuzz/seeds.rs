@@ -9,7 +9,7 @@ use std::str::FromStr;
 /// Where definitions stand: models, mistakes with their messages, tests of unusual parts.
 const PLACES: [&str; 6] = [
     "../models/src",
-    "../tests/ui",
+    "../tests/messages/ui",
     "../tests/hygiene",
     "../tests/checks",
     "../tests/mechanisms/src",

@@ -1,0 +1,1 @@
+//! What rustc prints of mistakes, one pair of files each: `tests/rustc.rs`.
