@@ -130,6 +130,13 @@ pub(crate) fn friction_without_radius(name: &str, joint: &str, kind: &str) -> St
     )
 }
 
+pub(crate) fn sleeve_without_radius(name: &str, joint: &str) -> String {
+    format!(
+        "the friction `{name}` needs its radius: the surfaces of `{joint}` slide along its axis with ẋ and about it with r ω, and a force of μ N resists \
+         both; write `radius [m] = …`, or `force [N] = …` alone for what does not depend on load and resists ẋ"
+    )
+}
+
 pub(crate) fn friction_of_nothing(name: &str, turns: bool, dry: bool) -> String {
     let own = if turns { "torque [N*m]" } else { "force [N]" };
     let share = if dry { "static" } else { "coefficient" };

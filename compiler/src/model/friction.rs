@@ -135,7 +135,11 @@ impl<'d> Lowering<'d> {
         let presses = ["coefficient", "static", "kinetic"].iter().any(|it| value(it).is_some());
         let takes_radius = bearing.turns() || bearing == Bearing::Sleeve;
         if takes_radius && presses && value("radius").is_none() {
-            self.diagnostics.error(load.name.region, messages::friction_without_radius(name, joint, kind));
+            let message = match bearing.turns() {
+                true => messages::friction_without_radius(name, joint, kind),
+                false => messages::sleeve_without_radius(name, joint),
+            };
+            self.diagnostics.error(load.name.region, message);
         } else if !presses && ["force", "torque", "breakaway"].iter().all(|it| value(it).is_none()) {
             self.diagnostics
                 .error(load.name.region, messages::friction_of_nothing(name, bearing.turns(), dry));

@@ -86,6 +86,40 @@ fn more_than_can_be_tried_are_told() {
 }
 
 #[test]
+fn a_sleeve_needs_its_radius() {
+    let source = "spatial Rod { body rod { mass [kg] = 1; inertia [kg*m^2] = (1, 1, 1); }
+         joint sleeve: cylindrical(ground(0, 0, 0) [m], rod.center, axis = (1, 0, 0)); friction rub: on(sleeve) = dry(static = 0.5); }";
+    said(
+        source,
+        "the surfaces of `sleeve` slide along its axis with ẋ and about it with r ω, and a force of μ N resists both",
+    );
+    let with = |arguments: &str| source.replace("static = 0.5", arguments);
+    // As many gates as directions, of which the first says which are one.
+    let gates = |arguments: &str| {
+        let mechanism = good(&with(arguments));
+        (mechanism.gates().count(), mechanism.slide_as_one())
+    };
+    assert_eq!(gates("static = 0.5, radius [m] = 0.1"), (2, vec![0, 0]));
+    assert_eq!(gates("force [N] = 2"), (1, vec![]));
+}
+
+#[test]
+fn balls_are_counted_by_their_directions() {
+    let balls = |count: usize| {
+        let one = |i: usize| {
+            format!(
+                "body b{i} {{ mass [kg] = 1; inertia [kg*m^2] = (1, 1, 1); }} joint j{i}: spherical(ground({i}, 0, 0) [m], b{i}.center);
+                 friction f{i}: on(j{i}) = dry(torque [N*m] = 1);"
+            )
+        };
+        format!("spatial Balls {{ {} }}", (0..count).map(one).collect::<String>())
+    };
+    let mechanism = good(&balls(2));
+    assert_eq!(mechanism.slide_as_one(), [0, 0, 0, 3, 3, 3]);
+    said(&balls(3), "a sleeve or a universal joint two, and a ball three");
+}
+
+#[test]
 fn what_is_as_another_is_said_once() {
     let found = bad(&arm("friction rub: on(pin) = dry(static = -0.5, radius [m] = 0.02);"));
     let found: Vec<&str> = found.iter().map(|error| error.message.as_str()).collect();
