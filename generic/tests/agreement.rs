@@ -18,6 +18,7 @@ const REFUSED: &[(&str, &str)] = &[
     ("ball_between_walls", RIGID),
     ("block", MODAL),
     ("braking", DRY),
+    ("braking_all_ways", DRY),
     ("braking_in_space", DRY),
     ("cam_lift_off", RIGID),
     ("cammed", "joints on cams"),
