@@ -1,5 +1,4 @@
-//! The checks of the shipped models, in one binary, because generic models are compiled again in each. Only
-//! `tests/no_alloc.rs`, as much again, is one of its own, which is built beside this one.
+//! The checks of the shipped models, in one binary, because generic models are compiled again in each.
 
 mod agreement;
 mod architecture;

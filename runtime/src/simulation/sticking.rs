@@ -414,7 +414,8 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
         }
     }
 
-    /// Of what slides along several directions the speed with which it gets no further than `FURTHER` before it stands, if friction stops it:
+    /// Of what slides along several directions the speed √(a d), m/s or rad/s, with which it gets no further than d (`FURTHER`, m or rad) before it
+    /// stands, if friction stops it with a = |ẇ|:
     /// there is no way of its own in that, which methods could follow.
     fn stops(&self, place: &Place<'_, R, M>) -> M::Gates {
         let model = self.model;

@@ -4,7 +4,7 @@
 //! With CasADi the script judges over a hundred random states and parameter sets of each kind. Without a network the
 //! committed values of the same script are compared instead (`recorded`), unless `REQUIRE_CASADI` is set.
 
-pub mod casadi;
+mod casadi;
 mod control;
 pub mod mutation;
 pub mod random;
