@@ -28,6 +28,8 @@ const REFUSED: &[(&str, &str)] = &[
     ("gripping", RIGID),
     ("hammer_at_rigid_wall", RIGID),
     ("remembering", "memories and events"),
+    ("remembering_brakes", "memories and events"),
+    ("remembering_impacts", "memories and events"),
     ("rimless_wheel", RIGID),
     ("rubbing_flexible_block", MODAL),
     ("slider_crank_on_stop", RIGID),

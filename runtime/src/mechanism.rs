@@ -305,7 +305,8 @@ pub trait Mechanism<R: Real>: Variables<R> {
     #[inline]
     fn live_gates(&self, time: R, state: &StateOf<Self, R>) -> Self::Gates {
         let zeros = || Self::Gates::zeros(self.gate_names().len());
-        if self.is_rigid() {
+        let places = Places::of(self);
+        if self.is_rigid() && places.contacts == self.gate_names().len() {
             return zeros();
         }
         let (mut gates, mut forces) = (zeros(), zeros());
@@ -314,7 +315,10 @@ pub trait Mechanism<R: Real>: Variables<R> {
             let closed = gate.less(R::ZERO) & force.greater(R::ZERO);
             *gate = R::select(closed, R::ONE, R::ZERO);
         }
-        for place in Places::of(self).passing..self.gate_names().len() {
+        for place in 0..if self.is_rigid() { places.contacts } else { 0 } {
+            put(gates.as_mut_slice(), place, R::ZERO);
+        }
+        for place in places.passing..self.gate_names().len() {
             put(gates.as_mut_slice(), place, at(state.gates.as_slice(), place));
         }
         gates

@@ -9,7 +9,7 @@
 use crate::mechanism::Mechanism;
 use crate::real::Real;
 use crate::state::StateOf;
-use crate::vector::{Vector, put};
+use crate::vector::{Vector, at, put};
 use core::ops::Range;
 
 /// What lets an event of a definition occur.
@@ -55,6 +55,23 @@ impl Places {
     pub fn ticks(&self) -> Range<usize> {
         self.passing..self.events
     }
+}
+
+/// How many gates are those of contacts, or of dry friction in joints.
+pub(crate) fn contacts<R: Real, M: Mechanism<R> + ?Sized>(model: &M) -> usize {
+    Places::of(model).contacts
+}
+
+/// Gates with what is held of events and memories as it is in others.
+pub(crate) fn with_memories<R: Real, M: Mechanism<R> + ?Sized>(
+    model: &M,
+    mut gates: M::Gates,
+    held: &M::Gates,
+) -> M::Gates {
+    for place in contacts(model)..model.gate_names().len() {
+        put(gates.as_mut_slice(), place, at(held.as_slice(), place));
+    }
+    gates
 }
 
 /// The period of the event at this place.

@@ -68,7 +68,8 @@ fn impulses_take_what_they_say<M: Model>() {
     let mut simulation = Simulation::new(&model, model.start()).integrator(Rk4).constant(zero).step(2e-4);
     let [mut drifts, mut none, mut shares] = [model.start().gates; 3];
     model.strikes(0.3, &model.start_q(), &model.zero_v(), &mut drifts, &mut none, &mut shares);
-    let driven = !walk::<M>(30, 1).0.mechanism.drivers.is_empty();
+    // What memories say, and speeds that jump, do work too.
+    let driven = !walk::<M>(30, 1).0.mechanism.drivers.is_empty() || !model.triggers().is_empty();
     let moves = driven || drifts.as_slice().iter().any(|drift| *drift != 0.0);
     let rubs = model.pressed_by().iter().any(Option::is_some);
     let begun = simulation.energy();

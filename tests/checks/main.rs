@@ -21,6 +21,7 @@ mod identities;
 mod implicit;
 mod interpreted;
 mod jumps;
+mod kinds_together;
 mod kinematics;
 mod language;
 mod linearisation;

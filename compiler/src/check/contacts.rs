@@ -60,8 +60,10 @@ pub fn contacts(
     }
     let mut point = Point::at_start(mechanism, equations, assembly);
     point.evaluate(&Ancestry::of_jets(equations, gaps.iter().map(|(_, jet)| jet)));
-    // Which is not dry, or presses on others by its reaction.
-    let is_smooth = |load: &&Load| load.form.rubs && (!load.form.holds || !equations.friction.is_none());
+    // Which is not dry, or presses on others by its reaction; what rubs where something yields is pressed by a force.
+    let yields = |load: &Load| load.contact().is_some_and(|at| mechanism.loads[at.0].restitutions.is_empty());
+    let is_smooth =
+        |load: &&Load| load.form.rubs && !yields(load) && (!load.form.holds || !equations.friction.is_none());
     let rubs = mechanism.loads.iter().find(is_smooth).map(|load| &load.name);
     let mut said: Option<&str> = None;
     for (load, jet) in &gaps {

@@ -27,13 +27,17 @@ pub fn items(text: &mut String, emitter: &Emitter, source: &str) {
     inputs(text, emitter);
     outputs(text, emitter);
     let gates = emitter.compiled.entries(Shape::Gates);
-    let held = match (mechanism.options.held, mechanism.memories.is_empty(), mechanism.events.is_empty()) {
-        (true, false, _) => "gates of contacts, events and memories",
-        (false, false, _) => "events and memories",
-        (true, true, false) => "gates of contacts and events",
-        (false, true, false) => "events",
-        _ if mechanism.sticks() => "forces of dry friction",
-        _ => "gates of contacts",
+    let kinds = [
+        (mechanism.options.held, "gates of contacts"),
+        (mechanism.sticks(), "forces of dry friction"),
+        (!mechanism.events.is_empty(), "events"),
+        (!mechanism.memories.is_empty(), "memories"),
+    ];
+    let kinds: Vec<&str> = kinds.into_iter().filter(|(is, _)| *is).map(|(_, kind)| kind).collect();
+    let held = match kinds.split_last() {
+        Some((last, [])) => (*last).to_string(),
+        Some((last, before)) => format!("{} and {last}", before.join(", ")),
+        None => String::new(),
     };
     let (states, internal) = match (mechanism.states.len(), gates) {
         (0, 0) => ("Positions and velocities".to_string(), String::new()),

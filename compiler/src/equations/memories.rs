@@ -22,21 +22,32 @@ pub fn guards(laws: &Laws) -> Vec<[Node; 2]> {
     events.chain(laws.mechanism.memories.iter().map(|_| [zero, zero])).collect()
 }
 
-/// Of each gate, event and memory the speed that jumps, nothing, and 1, in the order of what `loads::strikes` says of rigid contacts; zeros of
-/// what lets none jump. Nothing where none does.
-pub fn jumps(laws: &Laws) -> Vec<[Node; 3]> {
+/// What gates of contacts have three numbers of, followed by those of each event and memory: the speed that jumps, nothing, and 1; zeros of
+/// what lets none jump. Nothing where neither has any.
+pub fn with_jumps(laws: &Laws, contacts: Vec<[Node; 3]>) -> Vec<[Node; 3]> {
     let (zero, one) = (laws.g.zero().bare, laws.g.one().bare);
     let none = [zero, zero, zero];
     let mechanism = laws.mechanism;
-    if mechanism.events.iter().all(|event| event.jump.is_none()) {
+    if contacts.is_empty() && mechanism.events.iter().all(|event| event.jump.is_none()) {
         return Vec::new();
     }
-    let gates = mechanism.gates().map(|_| none);
+    let gates = match contacts.is_empty() {
+        true => mechanism.gates().map(|_| none).collect(),
+        false => contacts,
+    };
     let events = mechanism.events_in_places().into_iter().map(|(_, event)| match &event.jump {
         Some(jump) => [laws.coordinate(&jump.of).rate().bare, zero, one],
         None => none,
     });
-    gates.chain(events).chain(mechanism.memories.iter().map(|_| none)).collect()
+    gates.into_iter().chain(events).chain(mechanism.memories.iter().map(|_| none)).collect()
+}
+
+/// What gates of contacts have two numbers of, followed by zeros of each event and memory. Nothing where they have none.
+pub fn with_none(laws: &Laws, contacts: Vec<[Node; 2]>) -> Vec<[Node; 2]> {
+    let none = [laws.g.zero().bare; 2];
+    let mechanism = laws.mechanism;
+    let behind = if contacts.is_empty() { 0 } else { mechanism.events.len() + mechanism.memories.len() };
+    contacts.into_iter().chain(vec![none; behind]).collect()
 }
 
 /// All that is held after the events that occur: memories as these set them, what speeds jump to at the places of events, the rest as it is.

@@ -289,9 +289,9 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
     let expected = expected.map(|effort| outputs_laws.value(&effort.value).bare).collect();
     let assignments = memories::assignments(&outputs_laws);
     let guards = loads::guards(&laws).into_iter().chain(memories::guards(&laws)).collect();
-    let strikes = loads::strikes(&laws).into_iter().chain(memories::jumps(&laws)).collect();
-    let grips = loads::grips(&laws);
-    let bounds = loads::bounds(&outputs_laws);
+    let strikes = memories::with_jumps(&laws, loads::strikes(&laws));
+    let grips = memories::with_none(&laws, loads::grips(&laws));
+    let bounds = memories::with_none(&laws, loads::bounds(&outputs_laws));
     let states = mechanism.states.iter();
     let internal_rates = states.clone().map(|state| rate(&outputs_laws, &state.rate).bare).collect();
     let internal_starts = states.map(|state| outputs_laws.value(&state.start).bare).collect();

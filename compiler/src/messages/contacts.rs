@@ -346,10 +346,10 @@ pub(crate) fn rigid_in_c(rigid: &str) -> String {
     )
 }
 
-pub(crate) fn rigid_and_yielding(rigid: &str, other: &str) -> String {
+pub(crate) fn rigid_and_held(rigid: &str, other: &str) -> String {
     format!(
-        "`{other}` yields and `{rigid}` is rigid, which one definition cannot have yet: make both rigid, or give `{rigid}` a law of its \
-         depth, such as `kelvin_voigt`"
+        "beside `{rigid}`, which is rigid, the gates of what yields as `{other}` does cannot be held yet: leave `contact = held` out, or make \
+         both rigid"
     )
 }
 

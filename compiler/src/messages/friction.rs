@@ -28,15 +28,8 @@ pub(crate) fn dry_beside_rigid(name: &str, rigid: &str) -> String {
     )
 }
 
-pub(crate) fn dry_beside_memory(name: &str, memory: &str) -> String {
-    format!(
-        "memories and events such as `{memory}` and the `dry` friction `{name}` of a joint cannot be in one mechanism yet: leave these out, or write \
-         `lugre` or `asperity` there"
-    )
-}
-
-pub(crate) fn dry_here(name: &str) -> String {
-    format!("`{name}` is dry friction of a joint")
+pub(crate) fn rigid_here(rigid: &str) -> String {
+    format!("`{rigid}` is rigid")
 }
 
 pub(crate) fn dry_in_c(name: &str) -> String {

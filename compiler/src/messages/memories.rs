@@ -62,6 +62,13 @@ pub(crate) fn never_passes(event: &str, word: &str) -> String {
     )
 }
 
+pub(crate) fn never_inside(contact: &str, what: &str) -> String {
+    format!(
+        "`{contact}` is rigid, and nothing is inside it, so that `{what}` does not pass this level: of a touch write `{contact}.closing falls 0`, \
+         which an impulse does"
+    )
+}
+
 /// What a period is called where its dimension is wrong.
 pub(crate) fn period_of(event: &str) -> String {
     format!("the period of `{event}`")
@@ -116,17 +123,6 @@ pub(crate) fn memory_never_set(memory: &str) -> String {
         "no event sets the memory `{memory}`, so it keeps its start value: write `param {memory} [unit] = value;`, or \
          `#[allow(unused)]` before it"
     )
-}
-
-pub(crate) fn memory_beside_rigid(memory: &str, rigid: &str) -> String {
-    format!(
-        "memories and events such as `{memory}` and rigid contacts such as `{rigid}` cannot be in one mechanism yet: give `{rigid}` a law that \
-         yields, such as `hunt_crossley(…)`, or leave the memories out"
-    )
-}
-
-pub(crate) fn rigid_here(rigid: &str) -> String {
-    format!("`{rigid}` is rigid")
 }
 
 pub(crate) fn memories_in_c(memory: &str) -> String {

@@ -319,11 +319,6 @@ impl<'d> Lowering<'d> {
                 (messages::dry_beside_rigid(name, &rigid.text), messages::rigid_here(&rigid.text));
             self.diagnostics.conflict(dry.name.region, message, rigid.region, note);
         }
-        if let Some(remembers) = definition.memory_or_event() {
-            let message = messages::dry_beside_memory(name, &remembers.text);
-            let note = messages::dry_here(name);
-            self.diagnostics.conflict(remembers.region, message, dry.name.region, note);
-        }
     }
 }
 

@@ -11,7 +11,7 @@ use super::lower::{Lowering, Use, declared, declared_unit, name};
 use super::names::Value;
 use super::{Coordinate, DeclaredUnit, Driver, Expr, Function2, Mechanism, MemoryId, Name, Quantity, fold};
 use crate::messages;
-use crate::syntax::{self, OptionEntry, Way};
+use crate::syntax::{self, OptionEntry, TermKind, Way};
 use crate::units::Dimension;
 
 /// How many speeds may jump.
@@ -163,10 +163,14 @@ impl<'d> Lowering<'d> {
     fn occasion(&mut self, event: &'d syntax::Event) -> Option<Occasion> {
         match &event.occasion {
             syntax::Occasion::Passing { value, way, level } => {
-                let region = value.region.to(level.region);
+                let (term, region) = (value, value.region.to(level.region));
                 let (value, level) = (self.value(value, Use::EVENT), self.value(level, Use::EVENT));
                 let (value, level) = (value?, level?);
                 self.same(&value, &level, &messages::sides_of_an_event(way.word()))?;
+                if let Some((contact, what)) = self.inside_what_is_rigid(term, &level.expr) {
+                    self.diagnostics.error(region, messages::never_inside(contact, what));
+                    return None;
+                }
                 let past = match level.expr {
                     Expr::Number(0.0) => value.expr,
                     level => fold::binary(Function2::Sub, value.expr, level),
@@ -194,6 +198,18 @@ impl<'d> Lowering<'d> {
                 }
             }
         }
+    }
+
+    /// The rigid contact whose gap or depth this is, where that cannot pass the level: nothing is inside.
+    fn inside_what_is_rigid(&self, value: &'d syntax::Term, level: &Expr) -> Option<(&'d str, &'d str)> {
+        let (TermKind::Name(path), Expr::Number(level)) = (&value.kind, level) else { return None };
+        let contact = self.contact_of(path).filter(|contact| self.is_rigid_contact(*contact))?;
+        let is_inside = match path.parts.get(1)?.text.as_str() {
+            "gap" => *level <= 0.0,
+            "depth" => *level >= 0.0,
+            _ => false,
+        };
+        is_inside.then(|| (self.definition.contacts[contact].name.text.as_str(), path.text.as_str()))
     }
 
     fn assignment(&mut self, (memory, value): &'d (syntax::Label, syntax::Term)) -> Option<(MemoryId, Expr)> {
@@ -255,12 +271,6 @@ impl<'d> Lowering<'d> {
         let Some(name) = definition.memory_or_event() else {
             return;
         };
-        let rigid = (0..definition.contacts.len()).find(|index| self.is_rigid_contact(*index));
-        if let Some(rigid) = rigid.map(|index| &definition.contacts[index].name) {
-            let message = messages::memory_beside_rigid(&name.text, &rigid.text);
-            let note = messages::rigid_here(&rigid.text);
-            self.diagnostics.conflict(name.region, message, rigid.region, note);
-        }
         for entry in &definition.options {
             if let OptionEntry::ExportC(scalar) = entry {
                 self.diagnostics.error(scalar.region, messages::memories_in_c(&name.text));

@@ -24,7 +24,7 @@ impl<'d> Lowering<'d> {
         let mut crate_path: Option<String> = None;
         let mut emit = Emit::default();
         let (mut self_check, mut export_c, mut friction_passes) = (None, None, None);
-        let held = self.holds_gates();
+        let held = self.holds_gates() || self.has_rigid_contacts();
         let (mut held_at, mut by_impulses) = (None, false);
         for entry in &self.definition.options {
             match entry {

@@ -54,9 +54,6 @@ fn what_is_not_there_yet_is_refused() {
         &with("options { contact = held; }"),
         "held gates of contacts and the `dry` friction `rub` of a joint",
     );
-    let memory = "memory m = 0; event e: every 1 [s] { m = 1; } output a = m;";
-    said(&with(memory), "memories and events such as `m` and the `dry` friction `rub` of a joint");
-    said(&with(memory), "`rub` is dry friction of a joint");
     said(
         &with("friction other: on(pin) = dry(static = 0.5, radius [m] = 0.02);"),
         "`rub` is dry friction at `pin` already",

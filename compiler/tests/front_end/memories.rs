@@ -110,13 +110,26 @@ fn what_makes_no_difference_is_warned_of() {
     assert!(warnings(&meant).is_empty());
 }
 
-/// What there is not yet is said to be so, with what to write instead; of two places both are shown.
+/// The gap of a rigid contact ends at zero, on whichever side a rounding leaves it; its speed of closing passes zero in a touch.
 #[test]
-fn what_is_not_there_yet_is_refused() {
-    let rigid =
-        "event e: every 1 [s] { m = 1; } limit stop: rail.travel [m] in -1..2 = rigid(restitution = 0);";
-    said(&with(rigid), "` cannot be in one mechanism yet: give `");
-    said(&with(rigid), "memories and events such as `m` and rigid contacts such as `stop`");
+fn touches_are_events_by_their_speed() {
+    let of = |condition: &str| {
+        with(&format!(
+            "limit stop: rail.travel [m] in -1..2 = rigid(restitution = 0); event e: {condition} {{ m = 1; }}"
+        ))
+    };
+    let text = "`stop` is rigid, and nothing is inside it, so that `stop.gap` does not pass this level";
+    said(&of("stop.gap falls 0 [m]"), text);
+    said(&of("stop.gap crosses -1 [mm]"), text);
+    said(&of("stop.depth rises 0 [m]"), "of a touch write `stop.closing falls 0`, which an impulse does");
+    for condition in ["stop.gap falls 1 [mm]", "stop.depth falls -1 [mm]", "stop.closing falls 0"] {
+        assert!(warnings(&of(condition)).is_empty(), "{condition}");
+    }
+}
+
+/// Of two places both are shown.
+#[test]
+fn what_is_set_twice_is_refused() {
     let twice = with("event e: every 1 [s] { m = 1; } event f: every 1000 [ms] { m = 2; }");
     said(&twice, "` is set here too");
 }

@@ -10,6 +10,7 @@
 use super::complementarity::{Few, ROWS, solved};
 use crate::mechanism::Mechanism;
 use crate::real::Real;
+use crate::trigger::contacts;
 use crate::vector::{Vector, at, dot, put};
 
 /// The most passes of Newton's method.
@@ -30,7 +31,7 @@ pub(super) fn is_first<R: Real, M: Mechanism<R>>(model: &M, gate: usize) -> bool
 /// The gates that slide as one with this, itself among them.
 pub(super) fn together<R: Real, M: Mechanism<R>>(model: &M, gate: usize) -> impl Iterator<Item = usize> {
     let own = first(model, gate);
-    (own..model.gate_names().len().min(ROWS)).filter(move |other| first(model, *other) == own)
+    (own..contacts(model).min(ROWS)).filter(move |other| first(model, *other) == own)
 }
 
 /// Whether it slides along one direction.

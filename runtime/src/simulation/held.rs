@@ -21,8 +21,9 @@ use crate::integrator::{Integrator, Method, Rejections};
 use crate::mechanism::{Assemble, Mechanism};
 use crate::real::Real;
 use crate::state::Variables;
-use crate::trigger::Places;
+use crate::trigger::{Places, contacts};
 use crate::vector::Vector;
+use core::ops::Range;
 
 /// How often gates of contacts may open or close in one step; more is [`Chatter`](SimulationError::Chatter). Those that do so at one time count
 /// once.
@@ -53,12 +54,6 @@ where
         if !M::HOLDS {
             return Ok(Blow::none());
         }
-        if self.model().sticks() {
-            return self.stick();
-        }
-        if self.model().is_rigid() {
-            return self.strike();
-        }
         self.occur()
     }
 
@@ -75,14 +70,20 @@ where
 
     /// Whether the gates are no longer what they are held at or an event occurs, and the first of those.
     fn left(&mut self) -> Option<usize> {
-        if self.model().is_rigid() {
+        let (model, mut from) = (self.model(), 0);
+        if model.is_rigid() {
             let guards = self.rigid_guards();
-            return self.rigid_left(&guards);
+            let touches = self.rigid_left(&guards);
+            from = contacts(model);
+            if touches.is_some() || model.triggers().is_empty() {
+                return touches;
+            }
         }
-        let model = self.model();
         let live = model.live_gates(self.time(), &self.run.state);
-        let mut both = live.as_slice().iter().zip(self.run.state.gates.as_slice()).enumerate();
-        both.position(|(place, (live, held))| happens(model, place, *held, *live))
+        let both = live.as_slice().iter().zip(self.run.state.gates.as_slice()).enumerate();
+        let mut happening =
+            both.skip(from).filter(|(place, (live, held))| happens(model, *place, **held, **live));
+        happening.next().map(|(place, _)| place)
     }
 }
 
@@ -149,15 +150,16 @@ where
     fn piece(&mut self, h: R, end: Clock<R>, events: &mut u32) -> Result<(Step<R>, bool), SimulationError> {
         let blow = self.hold()?;
         let whole = end;
-        let (h, end) = self.until_tick(h, end);
-        let (h, end) = self.until_turned(h, end, *events);
+        let (h, next) = self.until_tick(h, end);
+        let (h, end) = self.until_turned(h, next, *events);
+        let turns = end.is_before(&next);
         let begin = self.standing();
         let inputs = self.dynamics.present_inputs(self.time(), &self.run.state.clone());
         let mut step = self.step_by(h, end)?;
         let parted = match self.left() {
             None => {
                 let parted = !self.run.clock.is_before(&end) && self.run.clock.is_before(&whole);
-                *events += u32::from(parted && self.model().sticks());
+                *events += u32::from(parted && turns);
                 parted
             }
             Some(first) => {
@@ -220,10 +222,7 @@ where
                 return Err(SimulationError::EventNotLocated { time, width, trials });
             }
             trials += 1;
-            let part = match self.model().is_rigid() {
-                true => expected_touch(&held, &low.1, &high.1, high.0 - low.0),
-                false => expected(self.model(), &held, &low.1, &high.1),
-            };
+            let part = expected(self.model(), &held, &low.1, &high.1, high.0 - low.0);
             let at = search.next(low.0, high.0, part);
             self.stand(base.2.clone());
             let asked = at - base.0;
@@ -256,40 +255,54 @@ fn expected<R: Real, M: Mechanism<R>>(
     held: &M::Gates,
     before: &Guards<M, R>,
     after: &Guards<M, R>,
+    time: R,
+) -> R {
+    let places = Places::of(model);
+    if !model.is_rigid() {
+        return expected_gate(model, held, before, after, 0..places.passing);
+    }
+    let touch = expected_touch(held, before, after, time, places.contacts);
+    touch.min(expected_gate(model, held, before, after, places.contacts..places.passing))
+}
+
+/// The same of gates and events at some places.
+fn expected_gate<R: Real, M: Mechanism<R>>(
+    model: &M,
+    held: &M::Gates,
+    before: &Guards<M, R>,
+    after: &Guards<M, R>,
+    at: Range<usize>,
 ) -> R {
     let [gaps, forces] = before;
-    let each = held
-        .as_slice()
-        .iter()
-        .take(Places::of(model).passing)
-        .zip(gaps.as_slice().iter().zip(forces.as_slice()));
+    let each = held.as_slice().iter().take(at.end).zip(gaps.as_slice().iter().zip(forces.as_slice()));
     let [gaps, forces] = after;
     let each = each.zip(gaps.as_slice().iter().zip(forces.as_slice()));
     let part = |a: R, b: R| a / (a - b);
     let half = R::from_f64(0.5);
-    let first = each.enumerate().filter_map(|(place, ((&held, (&gap, &force)), (&then, &forced)))| {
-        let (deep, pressed) = (then < R::ZERO, forced > R::ZERO);
-        let live = if deep && pressed { R::ONE } else { R::ZERO };
-        if !happens(model, place, held, live) {
-            return None;
-        }
-        if held > half {
-            // It opens with the first of both.
-            let out = (!deep).then(|| part(gap, then));
-            let off = (!pressed).then(|| part(force, forced));
-            match (out, off) {
-                (Some(out), Some(off)) => Some(out.min(off)),
-                (one, other) => one.or(other),
+    let first =
+        each.enumerate().skip(at.start).filter_map(|(place, ((&held, (&gap, &force)), (&then, &forced)))| {
+            let (deep, pressed) = (then < R::ZERO, forced > R::ZERO);
+            let live = if deep && pressed { R::ONE } else { R::ZERO };
+            if !happens(model, place, held, live) {
+                return None;
             }
-        } else if deep && pressed {
-            // It closes with the last.
-            let into = if gap < R::ZERO { R::ZERO } else { part(gap, then) };
-            let on = if force > R::ZERO { R::ZERO } else { part(force, forced) };
-            Some(into.max(on))
-        } else {
-            None
-        }
-    });
+            if held > half {
+                // It opens with the first of both.
+                let out = (!deep).then(|| part(gap, then));
+                let off = (!pressed).then(|| part(force, forced));
+                match (out, off) {
+                    (Some(out), Some(off)) => Some(out.min(off)),
+                    (one, other) => one.or(other),
+                }
+            } else if deep && pressed {
+                // It closes with the last.
+                let into = if gap < R::ZERO { R::ZERO } else { part(gap, then) };
+                let on = if force > R::ZERO { R::ZERO } else { part(force, forced) };
+                Some(into.max(on))
+            } else {
+                None
+            }
+        });
     let first = first.fold(R::ONE, |first, part| part.min(first));
     // Written so that a NaN is the middle.
     if first >= R::ZERO && first <= R::ONE { first } else { half }
@@ -297,9 +310,15 @@ fn expected<R: Real, M: Mechanism<R>>(
 
 /// The part of the time between two guards at which the first rigid contact is to be expected to touch, by the parabola through the gaps with
 /// the rate at the beginning, or to pull, by the line through its forces.
-fn expected_touch<R: Real, G: Vector<R>>(held: &G, before: &[G; 2], after: &[G; 2], time: R) -> R {
+fn expected_touch<R: Real, G: Vector<R>>(
+    held: &G,
+    before: &[G; 2],
+    after: &[G; 2],
+    time: R,
+    contacts: usize,
+) -> R {
     let [gaps, rates] = before;
-    let each = held.as_slice().iter().zip(gaps.as_slice().iter().zip(rates.as_slice()));
+    let each = held.as_slice().iter().take(contacts).zip(gaps.as_slice().iter().zip(rates.as_slice()));
     let [ahead, _] = after;
     let each = each.zip(ahead.as_slice());
     let (half, four) = (R::from_f64(0.5), R::from_f64(4.0));

@@ -29,8 +29,8 @@ where
     F: Formulation<R, M>,
     I: Method<R>,
 {
-    /// Lets the speeds of those events jump to `wanted` that occur and have one.
-    pub(super) fn jump(&mut self, occurring: &M::Gates, wanted: &M::Gates) -> Result<(), SimulationError>
+    /// Lets the speeds of those events jump to `wanted` that occur and have one; whether there are such.
+    pub(super) fn jump(&mut self, occurring: &M::Gates, wanted: &M::Gates) -> Result<bool, SimulationError>
     where
         S: InputSource<R, M>,
     {
@@ -46,7 +46,7 @@ where
         }
         let which = which.iter().copied().take(count);
         let Some(first) = which.clone().next() else {
-            return Ok(());
+            return Ok(false);
         };
         let mut gradients: [M::V; ROWS] = core::array::from_fn(|_| model.zero_v());
         let drifts = strikes(model, time, q, &model.zero_v()).rates;
@@ -85,7 +85,7 @@ where
         if !S::HELD {
             self.dynamics.inputs = None;
         }
-        Ok(())
+        Ok(true)
     }
 
     /// vᵀ M v, without what moves by itself.

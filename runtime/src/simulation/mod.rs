@@ -23,6 +23,7 @@ mod singularity;
 mod step;
 mod sticking;
 mod strike;
+mod ties;
 
 pub use complementarity::RIGID_TOUCHING;
 pub use dynamics::MechanismDynamics;

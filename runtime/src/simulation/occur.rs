@@ -10,6 +10,7 @@
 
 use super::Simulation;
 use super::held::EVENTS_PER_STEP;
+use super::rigid::Held;
 use super::strike::Blow;
 use crate::clock::Clock;
 use crate::error::SimulationError;
@@ -19,7 +20,7 @@ use crate::integrator::Method;
 use crate::mechanism::{Assemble, Mechanism};
 use crate::real::Real;
 use crate::state::StateOf;
-use crate::trigger::{Places, Trigger, early, period};
+use crate::trigger::{Places, Trigger, early, period, with_memories};
 use crate::vector::{Vector, at, put};
 
 /// Whether what is held at a place of contacts or of events that pass a level tells that something happened, given what it would be now.
@@ -50,14 +51,26 @@ where
     S: InputSource<R, M>,
     I: Method<R>,
 {
-    /// Takes the gates as they are at the present state and lets the events occur that do; what a method carries from step to step is of
-    /// what was held before.
+    /// Takes the gates as they are at the present state, after impulses where they are forces, and lets the events occur that do; what a method
+    /// carries from step to step is of what was held before.
     pub(super) fn occur(&mut self) -> Result<Blow<R>, SimulationError> {
         let model = self.model();
         let places = Places::of(model);
         let mut blow = Blow::none();
         loop {
-            let live = model.live_gates(self.time(), &self.run.state);
+            if model.sticks() {
+                blow.take(&self.stick()?);
+            } else if model.is_rigid() {
+                blow.take(&self.strike()?);
+            }
+            if model.is_rigid() && model.triggers().is_empty() {
+                return Ok(blow);
+            }
+            let mut live = model.live_gates(self.time(), &self.run.state);
+            if model.is_rigid() {
+                // Their gates are the forces that were found.
+                live = with_memories(model, self.run.state.gates.clone(), &live);
+            }
             let held = self.run.state.gates.as_slice();
             let both = live.as_slice().iter().zip(held).take(places.contacts);
             let changed = both.filter(|(live, held)| live != held).count() as u32;
@@ -76,7 +89,15 @@ where
             if blow.events > EVENTS_PER_STEP {
                 return Err(self.without_end(first.unwrap_or(0)));
             }
-            self.run.state.gates = self.after(&places, &live, &occurring)?;
+            let (mut after, jumped) = self.after(&places, &live, &occurring)?;
+            if jumped && model.is_rigid() {
+                // What rested or held is met anew, with the speeds that it has now.
+                for place in 0..places.contacts {
+                    put(after.as_mut_slice(), place, R::ZERO);
+                }
+                self.dynamics.held = Held::none(model);
+            }
+            self.run.state.gates = after;
         }
     }
 
@@ -100,13 +121,13 @@ where
         (occurring, count)
     }
 
-    /// What is held after the events that occur.
+    /// What is held after the events that occur, and whether a speed jumped.
     fn after(
         &mut self,
         places: &Places,
         live: &M::Gates,
         occurring: &M::Gates,
-    ) -> Result<M::Gates, SimulationError> {
+    ) -> Result<(M::Gates, bool), SimulationError> {
         let (model, time) = (self.model(), self.time());
         let state = self.run.state.clone();
         let inputs = self.dynamics.inputs_within(time, &state);
@@ -125,7 +146,7 @@ where
         if let Some(place) = after.first_not_finite() {
             return Err(SimulationError::NonFinite { time: time.to_f64(), what: self.contact(place) });
         }
-        self.jump(occurring, &after)?;
+        let jumped = self.jump(occurring, &after)?;
         for place in 0..places.passing {
             put(after.as_mut_slice(), place, at(live.as_slice(), place));
         }
@@ -133,7 +154,7 @@ where
             let next = at(state.gates.as_slice(), place) + at(occurring.as_slice(), place);
             put(after.as_mut_slice(), place, next);
         }
-        Ok(after)
+        Ok((after, jumped))
     }
 
     /// Where a step to `end` is to stop for a tick, if one is before.

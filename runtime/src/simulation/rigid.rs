@@ -20,6 +20,7 @@ use crate::integrator::Method;
 use crate::mechanism::{Assemble, Mechanism};
 use crate::real::Real;
 use crate::state::{State, StateOf, Variables};
+use crate::trigger::{contacts, with_memories};
 use crate::vector::{Vector, at, put};
 
 /// Gaps that are closed, m or rad; but at least a thousand roundings.
@@ -110,9 +111,9 @@ where
     M: Mechanism<R>,
 {
     let zeros = || M::Gates::zeros(model.gate_names().len());
-    let mut forces = zeros();
+    let (all, mut forces) = (0..contacts(model), with_memories(model, zeros(), &state.gates));
     let closed = |i: usize| R::any(at(state.gates.as_slice(), i).greater(R::ZERO));
-    let gaps = (0..model.gate_names().len()).filter(|i| pressed_by(model, *i).is_none() && closed(*i));
+    let gaps = all.clone().filter(|i| pressed_by(model, *i).is_none() && closed(*i));
     if gaps.clone().next().is_none() {
         return forces;
     }
@@ -128,7 +129,8 @@ where
         if gaps.clone().any(|i| i < first && own(&i)) {
             continue;
         }
-        let rubbing = (0..model.gate_names().len())
+        let rubbing = all
+            .clone()
             .filter(|i| pressed_by(model, *i).is_some_and(|gap| closed(gap) && own(&gap)) && holds(*i));
         let (mut which, mut count) = ([0; ROWS], 0);
         for (place, i) in which.iter_mut().zip(gaps.clone().filter(own).chain(rubbing)) {
@@ -143,8 +145,7 @@ where
             // By a force of the size that it has, or that presses it; one that ends would be lost in rounding.
             let size = at(state.gates.as_slice(), pressed_by(model, i).unwrap_or(i)).max(R::from_f64(LEAST));
             put(one.as_mut_slice(), i, size);
-            for slides in (0..model.gate_names().len()).filter(|slides| pressed_by(model, *slides) == Some(i))
-            {
+            for slides in all.clone().filter(|slides| pressed_by(model, *slides) == Some(i)) {
                 let share = -at(held.ways.as_slice(), slides) * at(sliding.as_slice(), slides);
                 put(one.as_mut_slice(), slides, share * size);
             }
@@ -189,11 +190,12 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
             return self.rubbed(time, state, inputs, a, lambda);
         }
         press(self.model, time, state, &self.held, a, lambda, |gates, a, lambda| {
-            (*a, *lambda, _) = self.free(time, &State { gates: gates.clone(), ..state.clone() }, inputs);
+            let gates = with_memories(self.model, gates.clone(), &state.gates);
+            (*a, *lambda, _) = self.free(time, &State { gates, ..state.clone() }, inputs);
         })
     }
 
-    /// The forces of the contacts that are closed at a state, zero of the others.
+    /// The forces of the contacts that are closed at a state, zero of the others; events and memories as they are.
     pub(super) fn forces_at_rest(&self, time: R, state: &StateOf<M, R>, inputs: &M::Inputs) -> M::Gates {
         let (mut a, mut lambda, _) = self.free(time, &self.opened(state), inputs);
         self.pressed(time, state, inputs, &mut a, &mut lambda)
@@ -201,7 +203,8 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
 
     /// The state with all contacts open.
     pub(super) fn opened(&self, state: &StateOf<M, R>) -> StateOf<M, R> {
-        State { gates: M::Gates::zeros(self.model.gate_names().len()), ..state.clone() }
+        let none = M::Gates::zeros(self.model.gate_names().len());
+        State { gates: with_memories(self.model, none, &state.gates), ..state.clone() }
     }
 }
 
@@ -213,21 +216,23 @@ where
     I: Method<R>,
 {
     /// For each contact: where it is open its gap and the rate of that, where it is closed its force and zero. For the dry friction of one that
-    /// is closed, and zero: where it holds how much more it could, where it slides how fast it does.
+    /// is closed, and zero: where it holds how much more it could, where it slides how fast it does. Of events what passes their level.
     pub(super) fn rigid_guards(&mut self) -> [M::Gates; 2]
     where
         S: InputSource<R, M>,
     {
-        if self.model().sticks() {
-            return self.sticking_guards();
-        }
         let (model, time, state) = (self.model(), self.time(), self.run.state.clone());
         let zeros = || M::Gates::zeros(model.gate_names().len());
-        let mut gaps = zeros();
-        model.guards(time, &state, &mut gaps, &mut zeros());
-        let mut rates = strikes(model, time, &state.q, &state.v).rates;
+        let (mut gaps, mut forces) = (zeros(), zeros());
+        model.guards(time, &state, &mut gaps, &mut forces);
+        if model.sticks() {
+            let [guards, rates] = self.sticking_guards();
+            return [with_memories(model, guards, &gaps), with_memories(model, rates, &forces)];
+        }
+        let rates = strikes(model, time, &state.q, &state.v).rates;
+        let mut rates = with_memories(model, rates, &forces);
         let closed = |i: usize| at(state.gates.as_slice(), i) > R::ZERO;
-        let gates = 0..model.gate_names().len();
+        let gates = 0..contacts(model);
         let force_of = |i: usize| pressed_by(model, i).is_none() && closed(i);
         if gates.clone().any(force_of) {
             let inputs = self.dynamics.inputs_within(time, &state);
@@ -259,7 +264,7 @@ where
     pub(super) fn straight(&self) -> M::Gates {
         let model = self.model();
         let mut straight = self.run.state.gates.clone();
-        for i in (0..model.gate_names().len()).filter(|i| model.sticks() || pressed_by(model, *i).is_some()) {
+        for i in (0..contacts(model)).filter(|i| model.sticks() || pressed_by(model, *i).is_some()) {
             put(straight.as_mut_slice(), i, R::ONE);
         }
         straight
@@ -269,7 +274,8 @@ where
     pub(super) fn rigid_left(&self, [gaps, rates]: &[M::Gates; 2]) -> Option<usize> {
         let (still, near) = (still(self.run.state.v.as_slice()), near::<R>());
         let gates = self.run.state.gates.as_slice();
-        let mut each = gates.iter().zip(gaps.as_slice().iter().zip(rates.as_slice())).enumerate();
+        let each = gates.iter().zip(gaps.as_slice().iter().zip(rates.as_slice())).enumerate();
+        let mut each = each.take(contacts(self.model()));
         let found = each.find(|(i, (gate, (gap, rate)))| {
             let (closed, gap) = (**gate > R::ZERO, **gap);
             match pressed_by(self.model(), *i) {

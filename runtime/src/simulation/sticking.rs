@@ -15,6 +15,7 @@ use super::along_several::{alone, along_rates, begun, is_first, size, together};
 use super::complementarity::{Few, ROWS, solved};
 use super::rigid::{Held, LEAST, near, sharp, still, strikes};
 use super::strike::{Blow, SLOW};
+use super::ties::{Ties, share};
 use super::{MechanismDynamics, Simulation};
 use crate::clock::Clock;
 use crate::error::SimulationError;
@@ -24,6 +25,7 @@ use crate::integrator::Method;
 use crate::mechanism::{Assemble, Mechanism};
 use crate::real::Real;
 use crate::state::{State, StateOf, Variables};
+use crate::trigger::{contacts, with_memories};
 use crate::vector::{Vector, at, dot, put};
 
 /// The most passes of Newton's method.
@@ -51,9 +53,6 @@ const SLOWER: f64 = 0.5;
 const TURNS: u32 = 60;
 const TURNED: f64 = 1e-11;
 
-/// What is left of the motion that a joint has by itself where others hold it, as a part of it without them.
-const TIED: f64 = 1e-6;
-
 /// What of the derivative of a rate is rounding, as a part of the largest; and what methods leave of it where others hold a joint.
 const NOTHING: f64 = 1e-11;
 const NEARLY_NOTHING: f64 = 1e-6;
@@ -80,47 +79,6 @@ struct Slopes<R, V> {
     ties: Ties<R>,
 }
 
-/// What sticks and has no motion of its own, since others that stick hold it: they share what is asked of them so that Σ G_ii y_i² is least,
-///
-/// ```text
-/// Σ n_i G_ii y_i = 0,    G n = 0,  n_t = 1
-/// ```
-/// which stands in the place of ẇ_t = 0. G are the derivatives of ẇ by y.
-struct Ties<R> {
-    rows: [Option<Few<R>>; ROWS],
-    /// Those with a motion of their own, as bits.
-    firm: usize,
-}
-
-impl<R: Real> Ties<R> {
-    fn of(matrix: &[Few<R>; ROWS], sticking: usize) -> Self {
-        let mut ties = Ties { rows: [None; ROWS], firm: 0 };
-        for (t, tie) in ties.rows.iter_mut().enumerate().filter(|(t, _)| sticking >> t & 1 == 1) {
-            match share(matrix, ties.firm, t) {
-                Some(null) => {
-                    let diagonal = |i: usize| matrix.get(i).map_or(R::ZERO, |row| at(row, i));
-                    *tie = Some(core::array::from_fn(|i| at(&null, i) * diagonal(i)));
-                }
-                None => ties.firm |= 1 << t,
-            }
-        }
-        ties
-    }
-}
-
-/// n of a joint that is held by those in `firm`; nothing where it is not.
-fn share<R: Real>(matrix: &[Few<R>; ROWS], firm: usize, t: usize) -> Option<Few<R>> {
-    if firm == 0 {
-        return None;
-    }
-    let column = core::array::from_fn(|i| matrix.get(i).map_or(R::ZERO, |row| at(row, t)));
-    let mut null = solved(matrix, &column, 0, ROWS, firm)?;
-    put(&mut null, t, R::ONE);
-    let row = matrix.get(t)?;
-    let least = R::from_f64(TIED).max(R::EPSILON.sqrt());
-    R::any(dot(row, &null).less(least * at(row, t))).then_some(null)
-}
-
 /// All joints that stick, as bits.
 fn sticking<R: Real, G: Vector<R>>(held: &Held<G>, count: usize) -> usize {
     (0..count).filter(|i| sticks::<R, _>(held, *i)).fold(0, |set, i| set | 1 << i)
@@ -134,7 +92,7 @@ struct Place<'s, R: Real, M: Mechanism<R>> {
 }
 
 fn count<R: Real, M: Mechanism<R>>(model: &M) -> usize {
-    model.gate_names().len().min(ROWS)
+    contacts(model).min(ROWS)
 }
 
 fn sticks<R: Real, G: Vector<R>>(held: &Held<G>, i: usize) -> bool {
@@ -195,7 +153,7 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
         match found {
             Some(moved) => {
                 (*a, *lambda) = (moved.a, moved.lambda);
-                moved.forces
+                with_memories(self.model, moved.forces, &state.gates)
             }
             None => {
                 let none = R::from_f64(f64::NAN);
@@ -206,32 +164,36 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
         }
     }
 
+    fn zeros(&self) -> M::Gates {
+        M::Gates::zeros(self.model.gate_names().len())
+    }
+
     /// The first whose bounds are no numbers.
     #[cold]
     fn unbounded(&self, place: &Place<'_, R, M>) -> Option<usize> {
-        let moved = self.moved(place, M::Gates::zeros(self.model.gate_names().len()));
+        let moved = self.moved(place, self.zeros());
         moved.holding.first_not_finite().or(moved.sliding.first_not_finite())
     }
 
     fn moved(&self, place: &Place<'_, R, M>, forces: M::Gates) -> Moved<R, M> {
         let model = self.model;
-        let zeros = || M::Gates::zeros(model.gate_names().len());
         let Place { time, inputs, .. } = *place;
-        let state = State { gates: forces, ..place.state.clone() };
+        let gates = with_memories(model, forces.clone(), &place.state.gates);
+        let state = State { gates, ..place.state.clone() };
         let (a, lambda, _) = self.free(time, &state, inputs);
         let along = |v: &M::V| strikes(model, time, &state.q, v);
         let (drifts, biases) = (along(&model.zero_v()).rates, along(&state.v).biases);
         let bends = along(&a).rates.plus(-R::ONE, &drifts).plus(R::ONE, &biases);
-        let (mut holding, mut sliding) = (zeros(), zeros());
+        let (mut holding, mut sliding) = (self.zeros(), self.zeros());
         model.bounds(time, &state, inputs, &a, &lambda, &mut holding, &mut sliding);
-        Moved { forces: state.gates, a, lambda, bends, holding, sliding }
+        Moved { forces, a, lambda, bends, holding, sliding }
     }
 
     /// The forces with which what sticks does, and what slides is braked; nothing where there are none.
     fn balanced(&self, place: &Place<'_, R, M>, held: &Held<M::Gates>) -> Option<Moved<R, M>> {
         let count = count(self.model);
         let held = &self.directed(place, held);
-        let mut begin = place.state.gates.clone();
+        let mut begin = with_memories(self.model, place.state.gates.clone(), &self.zeros());
         // What several hold alike is shared by how they hold, and not by what they held before.
         let stuck = sticking::<R, _>(held, count);
         for i in (0..count).filter(|i| stuck >> i & 1 == 1) {
@@ -327,7 +289,7 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
     /// Which stick and which slide, and their forces: of what has a speed and does not rest that is known; all else may do either.
     fn sought(&self, place: &Place<'_, R, M>, resting: usize) -> Option<Way<R, M>> {
         let (model, State { q, v, .. }) = (self.model, place.state);
-        let (count, zeros) = (count(model), || M::Gates::zeros(model.gate_names().len()));
+        let (count, zeros) = (count(model), || self.zeros());
         let rates = strikes(model, place.time, q, v).rates;
         let slow = R::from_f64(SLOW) * still(v.as_slice());
         let rests = |i: usize| resting >> i & 1 == 1;
@@ -423,7 +385,8 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
         if model.slide_as_one().is_empty() {
             return speeds;
         }
-        let bends = self.moved(place, place.state.gates.clone()).bends;
+        let held = with_memories(model, place.state.gates.clone(), &self.zeros());
+        let bends = self.moved(place, held).bends;
         let further = R::from_f64(FURTHER) * near::<R>();
         for i in (0..count(model)).filter(|i| !alone(model, *i)) {
             put(speeds.as_mut_slice(), i, (further * size(model, &bends, i)).sqrt());
@@ -540,7 +503,7 @@ where
             // What a method carries from step to step is of the motion before.
             self.memory = self.integrator.memory();
         }
-        state.gates = moved.forces;
+        state.gates = with_memories(model, moved.forces, &state.gates);
         self.run.state = state;
         self.dynamics.held = held;
         Ok(blow)

@@ -15,6 +15,7 @@ use crate::integrator::Method;
 use crate::mechanism::Assemble;
 use crate::real::Real;
 use crate::state::State;
+use crate::trigger::{contacts, with_memories};
 use crate::vector::{Vector, at, put};
 
 /// How often rigid contacts may touch or part in one step; more is [`Chatter`](SimulationError::Chatter). What comes to rest with restitution e
@@ -243,7 +244,7 @@ where
         let model = self.model();
         let (inside, near) = (R::from_f64(INSIDE).max(R::EPSILON.sqrt()), near::<R>());
         let mut left = M::Gates::zeros(model.gate_names().len());
-        for (i, &gap) in gaps.as_slice().iter().enumerate() {
+        for (i, &gap) in gaps.as_slice().iter().enumerate().take(contacts(model)) {
             let rests = at(self.run.state.gates.as_slice(), i) > R::ZERO;
             if gap > near && !rests || pressed_by(model, i).is_some() {
                 continue;
@@ -266,7 +267,7 @@ where
     ) -> Result<Option<Group>, SimulationError> {
         let model = self.model();
         let is_left = |left: &M::Gates, i: usize| at(left.as_slice(), i) > R::ZERO;
-        let all = 0..model.gate_names().len();
+        let all = 0..contacts(model);
         let mut group = Group::none();
         let few = all.clone().filter(|i| is_left(left, *i)).count() <= RIGID_TOUCHING;
         for i in all.clone().filter(|i| is_left(left, *i)).take(if few { RIGID_TOUCHING } else { 1 }) {
@@ -310,7 +311,7 @@ where
         }
         let (gaps, mut rubs) = (count, [None; RIGID_TOUCHING]);
         let [holding, sliding] = grips(model);
-        for i in 0..model.gate_names().len() {
+        for i in 0..contacts(model) {
             let Some(gap) = pressed_by(model, i) else { continue };
             let Some(pressed) = which.iter().take(gaps).position(|gate| *gate == gap) else { continue };
             if let (Some(place), Some(rub)) = (which.get_mut(count), rubs.get_mut(count - gaps)) {
@@ -419,12 +420,12 @@ where
         let ways = [&self.dynamics.held.ways, &held.ways];
         let turned = |i: usize| at(ways[0].as_slice(), i) != at(ways[1].as_slice(), i);
         let model = self.model();
-        let changed = (0..model.gate_names().len()).filter(|i| match pressed_by(model, *i) {
+        let changed = (0..contacts(model)).filter(|i| match pressed_by(model, *i) {
             None => opened(*i),
             Some(_) => turned(*i),
         });
         blow.changed = changed.count() as u32;
-        self.run.state.gates = gates;
+        self.run.state.gates = with_memories(model, gates, before);
         self.dynamics.held = held;
         if blow.changed > 0 || blow.impacts > 0 {
             // What a method carries from step to step is of the motion before.
@@ -458,6 +459,16 @@ impl Group {
 impl<R: Real> Blow<R> {
     pub fn none() -> Self {
         Blow { changed: 0, events: 0, impacts: 0, rested: 0, lost: R::ZERO, gained: R::ZERO }
+    }
+
+    /// Takes up what happened after it.
+    pub fn take(&mut self, after: &Self) {
+        self.changed += after.changed;
+        self.events += after.events;
+        self.impacts += after.impacts;
+        self.rested += after.rested;
+        self.lost = self.lost + after.lost;
+        self.gained = self.gained + after.gained;
     }
 }
 

@@ -249,6 +249,8 @@ macro_rules! for_each_in_zoo {
             braking_in_space: $crate::zoo_dry::BrakingInSpace,
             braking_all_ways: $crate::zoo_dry::BrakingAllWays,
             remembering: $crate::zoo_memories::Remembering,
+            remembering_impacts: $crate::zoo_memories::RememberingImpacts,
+            remembering_brakes: $crate::zoo_memories::RememberingBrakes,
             yielding: $crate::zoo_penalties::Yielding,
             yielding_in_space: $crate::zoo_penalties::YieldingInSpace,
             yielding_shafts: $crate::zoo_penalties::YieldingShafts,

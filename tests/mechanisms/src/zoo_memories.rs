@@ -1,4 +1,4 @@
-//! Memories and the events that set them, beside gates of contacts that are held.
+//! Memories and the events that set them: beside gates of contacts that are held, rigid contacts, and dry friction in joints.
 
 linkwright::mechanism! {
     /// A sampled controller holds the force on one slider; a latch catches another, which has a stop and remembers how it was caught; a pendulum
@@ -47,5 +47,73 @@ linkwright::mechanism! {
         output passes = swings;
         output load [N] = most;
         output summed [m*s] = sum;
+    }
+}
+
+linkwright::mechanism! {
+    /// A puck falls on a floor that rubs, counts its bounces and is blown as it did last; a slider between two rigid stops is driven at ticks, thrown
+    /// once and braked by a buffer that yields.
+    pub planar RememberingImpacts {
+        param share = 0.6 in 0..1;
+        input wind [N];
+        gravity [m/s^2] = (0, -9.81);
+        disk puck { mass [kg] = 0.5; radius [m] = 0.1; }
+        body slider { mass [kg] = 2; inertia [kg*m^2] = 0.01; }
+        joint rail: prismatic(ground(0, 1) [m], slider.origin, axis = (1, 0.2));
+        surface floor: half_plane(line(ground(0, 0) [m], ground(1, 0) [m]));
+        contact touch: between(puck.surface, floor) = rigid(restitution = share);
+        friction rub: on(touch) = dry(static = 0.5, kinetic = 0.4);
+        limit stop: rail.travel [m] in -0.4..0.5 = rigid(restitution = 0.3);
+        limit buffer: rail.travel [m] in -0.2..0.6 = kelvin_voigt(stiffness [N/m] = 300, damping [N*s/m] = 4);
+        memory bounces = 0;
+        memory fast [m/s] = 0;
+        memory held [N] = 0;
+        event bounce: puck.center.velocity.y rises 0 { bounces = bounces + 1; fast = puck.center.velocity.y; }
+        event tick: every 20 [ms] { held = 4 [N] - 9 [N/m]*rail.travel; }
+        event thrown: time rises 0.7 [s] { jump(rail.speed) = 0.9 [m/s]; }
+        event blown: time rises 0.5 [s] { jump(puck.center.velocity.x) = puck.center.velocity.x + 0.5 [m/s]; }
+        force blows: force(puck.center, direction = (1, 0)) = 0.2 [N*s/m]*fast + wind;
+        force motor: along(rail.travel) = held;
+        start { puck.center.x [m] = 0; puck.center.y [m] = 0.4; puck.center.velocity.x [m/s] = 0.3; puck.center.velocity.y [m/s] = 0;
+                puck.angle [rad] = 0; puck.rate [rad/s] = 2; rail.travel [m] = 0; rail.speed [m/s] = -0.5; }
+        options { emit = (penalty, projection, null_space); }
+        output height [m] = puck.center.y;
+        output place [m] = rail.travel;
+        output count = bounces;
+        output speed [m/s] = fast;
+        output forces [N] = touch.force + stop.force + buffer.force + rub.force;
+    }
+}
+
+linkwright::mechanism! {
+    /// Two arms on pins that stick, driven by what ticks set, and a slider that is thrown once and let go as it stands.
+    pub planar RememberingBrakes {
+        param grip = 0.5 in 0..2;
+        input push [N];
+        gravity [m/s^2] = (0, -9.81);
+        rod upper { mass [kg] = 1; length [m] = 0.5; }
+        rod lower { mass [kg] = 0.6; length [m] = 0.4; }
+        body slider { mass [kg] = 2; inertia [kg*m^2] = 0.01; }
+        joint shoulder: revolute(ground(0, 0) [m], upper.start);
+        joint elbow: revolute(upper.end, lower.start);
+        joint rail: prismatic(ground(0, 1) [m], slider.origin, axis = (1, 0));
+        friction drum: on(shoulder) = dry(static = grip, kinetic = 0.4, radius [m] = 0.05, torque [N*m] = 1);
+        friction band: on(elbow) = dry(static = 0.6, kinetic = 0.5, radius [m] = 0.04);
+        friction shoe: on(rail) = dry(static = 0.5, kinetic = 0.4);
+        memory held [N*m] = 0;
+        memory stops = 0;
+        event tick: every 15 [ms] { held = -6 [N*m/rad]*shoulder.angle; }
+        event stands: rail.speed falls 0.01 [m/s] { stops = stops + 1; }
+        event thrown: time rises 0.4 [s] { jump(rail.speed) = 0.8 [m/s]; }
+        event struck: time rises 0.6 [s] { jump(shoulder.rate) = 3 [rad/s]; }
+        torque motor: along(shoulder.angle) = held;
+        force pull: along(rail.travel) = push + 2 [N]*stops;
+        start { shoulder.angle [deg] = -40; shoulder.rate [rad/s] = 0; elbow.angle [deg] = -20; elbow.rate [rad/s] = 0; rail.travel [m] = 0; rail.speed [m/s] = 0; }
+        options { emit = (penalty, projection, null_space); }
+        output torque [N*m] = drum.torque + band.torque;
+        output force [N] = shoe.force;
+        output place [m] = rail.travel;
+        output count = stops;
+        output turned [rad] = shoulder.angle;
     }
 }

@@ -114,11 +114,11 @@ impl<'d> Lowering<'d> {
         })
     }
 
-    /// `options { contact = held; }`, which rigid contacts imply.
+    /// Whether what yields has its gates held: `options { contact = held; }` without rigid contacts, beside which they are live.
     pub(super) fn holds_gates(&self) -> bool {
         let options = &self.definition.options;
         options.iter().any(|it| matches!(it, OptionEntry::Contact(word) if word.text == "held"))
-            || self.has_rigid_contacts()
+            && !self.has_rigid_contacts()
     }
 
     pub(super) fn has_rigid_contacts(&self) -> bool {

@@ -72,10 +72,17 @@ impl<'d> Lowering<'d> {
     pub(in crate::model) fn beside_rigid(&mut self) {
         let definition = self.definition;
         let Some(rigid) = definition.contacts.iter().find(|it| is_rigid(it)) else { return };
+        let yielding = definition.contacts.iter().find(|it| !is_rigid(it)).map(|it| &it.name.text);
         for entry in &definition.options {
             match entry {
                 OptionEntry::Contact(word) if word.text == "live" => {
                     self.diagnostics.error(word.region, messages::rigid_and_live(&rigid.name.text));
+                }
+                OptionEntry::Contact(word) => {
+                    if let Some(other) = yielding {
+                        self.diagnostics
+                            .error(word.region, messages::rigid_and_held(&rigid.name.text, other));
+                    }
                 }
                 OptionEntry::ExportC(scalar) => {
                     self.diagnostics.error(scalar.region, messages::rigid_in_c(&rigid.name.text));
@@ -87,10 +94,6 @@ impl<'d> Lowering<'d> {
                 }
                 _ => {}
             }
-        }
-        for other in definition.contacts.iter().filter(|it| !is_rigid(it)) {
-            let message = messages::rigid_and_yielding(&rigid.name.text, &other.name.text);
-            self.diagnostics.error(other.name.region, message);
         }
     }
 }
