@@ -44,16 +44,18 @@ def is_dry(load):
 
 
 def gates(definition):
-    """(contact or dry friction, which of the gaps) of each gate that is held within a step: those of joints, or of contacts."""
+    """(contact or dry friction, which of the gaps) of each gate that is held within a step: those of joints, or of contacts; of these only rigid
+    ones where there are such."""
     all_contacts = definition.get("contacts", [])
     word = definition.get("options", {}).get("contact", "live")
     sticking = [load for load in definition["loads"] if is_dry(load) and not find(definition, load["on"])]
     if sticking:
         return [(load["name"], which) for load in sticking for which in range(directions(definition, load))]
-    if word != "held" and not any(is_rigid(contact) for contact in all_contacts):
+    rigid = [contact for contact in all_contacts if is_rigid(contact)]
+    if word != "held" and not rigid:
         return []
     rubbing = [(load["name"], find(definition, load["on"])) for load in definition["loads"] if is_dry(load)]
-    all_of = rubbing + [(contact["name"], contact) for contact in all_contacts]
+    all_of = rubbing + [(contact["name"], contact) for contact in rigid or all_contacts]
     return [(name, which) for name, contact in all_of for which in range(count(definition, contact))]
 
 
@@ -91,6 +93,10 @@ class Contacts:
         self._forces = {}
         self.own = None  # (name, which): the law that is being read, and of which gap
         self.gates = {key: self.model.gates[k] for k, key in enumerate(gates(self.definition))}
+
+    def is_held(self, name):
+        """Whether there is a gate of each of its gaps."""
+        return (name, 0) in self.gates
 
     def gaps(self, name):
         """The gaps and where they are."""
@@ -157,7 +163,7 @@ class Contacts:
             keys = [(name, which) for which in range(len(gaps))]
             if is_rigid(contact):
                 self._forces[name] = [self.gates[key] for key in keys]
-            elif self.gates:
+            elif self.is_held(name):
                 self._forces[name] = [ca.if_else(self.gates[key] > 0.5, law, 0) for key, law in zip(keys, self.laws(name))]
             else:
                 pushed = zip(gaps, self.laws(name))
@@ -176,7 +182,7 @@ class Contacts:
     def closed(self, name):
         """Whether surfaces touch, at each gap."""
         gaps = self.gaps(name)[0]
-        return [self.gates[name, which] > 0.5 if self.gates else gap < 0 for which, gap in enumerate(gaps)]
+        return [self.gates[name, which] > 0.5 if self.is_held(name) else gap < 0 for which, gap in enumerate(gaps)]
 
     def slidings(self, name):
         """Of a dry friction how fast the surfaces slide at each gap, along the normal turned clockwise, or in its joint."""
@@ -236,7 +242,7 @@ class Contacts:
     def _law(self, law, gap, name):
         kind, rate = law["kind"], -self.kinematics.rate(gap)
         depth = ca.if_else(gap < 0, -gap, 0)
-        on = -gap if self.gates else depth  # of what is linear
+        on = -gap if self.is_held(name) else depth  # of what is linear
 
         def given(key, default=0.0):
             return entry(law[key], self.model) if law.get(key) else ca.SX(default)
@@ -258,7 +264,7 @@ class Contacts:
             word = law["damping"]["value"]["name"].rpartition(".")[2] if law.get("damping") else "exact"
             loss = dissipation(float(given("restitution")), word) / given("speed")
         factor = 1 + loss * rate
-        return elastic * (factor if self.gates else ca.if_else(factor > 0, factor, 0))
+        return elastic * (factor if self.is_held(name) else ca.if_else(factor > 0, factor, 0))
 
     def _hertz(self, law, name):
         contact = find(self.definition, name)

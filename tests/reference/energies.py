@@ -118,8 +118,14 @@ class Energies:
         self.gap_biases = kinematics.rate(self.gap_rates) if rigid else ca.SX(0, 1)
         self.restitutions = all_of(rigid, touching.restitutions, nothing)
         speeds, jumps = memories.jumping(self.model, kinematics)
-        if jumps.numel():
-            # Of events their derivatives are not asked for.
+        # Of events their derivatives are not asked for.
+        if rigid:
+            first = len(touching.gates)
+            rest = ca.SX.zeros(self.model.gates.numel() - first)
+            self.gap_rates = ca.vertcat(self.gap_rates, speeds[first:] if jumps.numel() else rest)
+            self.gap_biases = ca.vertcat(self.gap_biases, rest)
+            self.restitutions = ca.vertcat(self.restitutions, jumps[first:] if jumps.numel() else rest)
+        elif jumps.numel():
             self.gap_rates, self.gap_biases, self.restitutions = speeds, ca.SX.zeros(jumps.numel()), jumps
 
     def _slope(self, value):
