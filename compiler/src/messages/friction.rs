@@ -61,13 +61,6 @@ pub(crate) fn dry_on_what_yields(contact: &str) -> String {
     )
 }
 
-pub(crate) fn dry_in_space(contact: &str) -> String {
-    format!(
-        "`dry` friction slides along one line, and surfaces in space along any: give `{contact}` a law of its depth, such as `hunt_crossley`, and \
-         write `lugre` or `asperity` here, which hold what rests"
-    )
-}
-
 pub(crate) fn dry_twice(contact: &str, other: &str) -> String {
     format!(
         "`{other}` is dry friction at `{contact}` already, and which of two of them holds cannot be known: write one, with the larger `static`"

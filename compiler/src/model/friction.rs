@@ -215,7 +215,8 @@ impl<'d> Lowering<'d> {
 }
 
 impl<'d> Lowering<'d> {
-    /// Of dry friction a zero for each gate that it has: of a rigid contact in the plane one for each gap, of a joint one.
+    /// Of dry friction a zero for each gate that it has: of a rigid contact one for each gap, in space one along each axis of the world; of a
+    /// joint one along each coordinate that slides.
     pub(super) fn held_by(&mut self, load: &'d syntax::Load, on: &[Subject]) -> Option<Vec<Expr>> {
         if !load.form.holds {
             return Some(Vec::new());
@@ -236,12 +237,9 @@ impl<'d> Lowering<'d> {
             self.diagnostics.error(at, messages::dry_on_what_yields(contact));
             return None;
         }
-        if self.definition.space == Space::Spatial {
-            self.diagnostics.error(load.name.region, messages::dry_in_space(contact));
-            return None;
-        }
         self.is_dry_alone(load, contact)?;
-        self.gaps_of_contact(index).map(|gaps| vec![Expr::Number(0.0); gaps])
+        let axes = if self.slides_in_space(index) { 3 } else { 1 };
+        self.gaps_of_contact(index).map(|gaps| vec![Expr::Number(0.0); axes * gaps])
     }
 
     /// Surfaces that slide along as many coordinates, and nothing else that is held within a step.

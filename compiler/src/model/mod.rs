@@ -215,21 +215,29 @@ impl Mechanism {
         let pressed = |(load, which): &(LoadId, usize)| {
             let load = &self.loads[load.0];
             let contact = load.contact().filter(|_| load.form.holds)?;
-            gates.iter().position(|gate| *gate == (contact, *which))
+            gates.iter().position(|gate| *gate == (contact, which / self.axes_of(load)))
         };
         gates.iter().map(pressed).collect()
+    }
+
+    /// How many gates the dry friction of a contact has for each gap: one along each axis of the world, or one along what slides.
+    fn axes_of(&self, load: &Load) -> usize {
+        let gaps = load.contact().map_or(1, |contact| self.loads[contact.0].along().count());
+        load.ungated.len() / gaps.max(1)
     }
 
     /// Of each gate the first of those that slide as one with it, along several directions; nothing where each slides by itself.
     pub fn slide_as_one(&self) -> Vec<usize> {
         let gates: Vec<(LoadId, usize)> = self.gates().collect();
-        let as_one = |load: &Load| {
+        let as_one = |load: &Load| -> usize {
+            if load.form.holds && load.contact().is_some() {
+                return self.axes_of(load);
+            }
             let joint = load.bearing().filter(|_| load.form.holds);
-            joint.and_then(|joint| self.joints[joint.0].form.bearing).is_some_and(Bearing::slides_as_one)
+            let bearing = joint.and_then(|joint| self.joints[joint.0].form.bearing);
+            if bearing.is_some_and(Bearing::slides_as_one) { load.ungated.len() } else { 1 }
         };
-        let first = |(place, (load, which)): (usize, &(LoadId, usize))| {
-            if as_one(&self.loads[load.0]) { place - which } else { place }
-        };
+        let first = |(place, (load, which)): (usize, &(LoadId, usize))| place - which % as_one(&self.loads[load.0]);
         let found: Vec<usize> = gates.iter().enumerate().map(first).collect();
         if found.iter().enumerate().all(|(place, first)| place == *first) { Vec::new() } else { found }
     }

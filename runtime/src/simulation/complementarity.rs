@@ -2,11 +2,14 @@
 //!
 //! ```text
 //! 0 ≤ x ⟂ G x + c ≥ 0                                               of each gap
-//! |y| ≤ μ_s x where (G x + c) = 0,   y = −σ μ_k x where σ (G x + c) ≥ 0, σ = ±1        of what slides in it (Coulomb)
+//! |y| ≤ μ_s x where w = 0,   y = −μ_k x u where w = |w| u,   w = (G x + c) of its rows    of what slides in it (Coulomb)
 //! ```
-//! All ways in which they may push and slide are tried, and the first that holds is taken: fewest that push first, and what may hold before what
-//! slides (Pfeiffer and Glocker, Multibody Dynamics with Unilateral Contacts, 1996, 5.3 and 8.3). Laws of impacts are such problems.
+//! u is ±1 of what slides along a line, else a direction in a surface. All ways in which they may push and slide are tried, and the first that
+//! is consistent is taken: fewest that push first, and what may hold before what slides (Pfeiffer and Glocker, Multibody Dynamics with Unilateral
+//! Contacts, 1996, 5.3 and 8.3). Which direction something begins to slide in is sought by iteration (`which_way.rs`). Laws of impacts are such
+//! problems.
 
+use super::which_way::begun;
 use crate::real::Real;
 use crate::vector::{at, dot, put};
 
@@ -14,8 +17,11 @@ use crate::vector::{at, dot, put};
 /// they may push, hold and slide.
 pub const RIGID_TOUCHING: usize = 4;
 
+/// Along how many axes of the world something slides at most.
+pub(super) const AXES: usize = 3;
+
 /// Gaps, and what slides in each.
-pub(super) const ROWS: usize = 2 * RIGID_TOUCHING;
+pub(super) const ROWS: usize = (1 + AXES) * RIGID_TOUCHING;
 
 /// What is left of numbers that are zero, as a part of those that they come from.
 const NOTHING: f64 = 1e-11;
@@ -31,11 +37,11 @@ pub(super) type Few<R> = [R; ROWS];
 
 /// Which way a contact slides.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Way {
-    /// It stands, and may go either way.
+pub(super) enum Way<R> {
+    /// It stands, and may go any way.
     Open,
-    Forwards,
-    Backwards,
+    /// u.
+    Along([R; AXES]),
 }
 
 /// What slides in a contact.
@@ -43,10 +49,13 @@ pub(super) enum Way {
 pub(super) struct Rub<R> {
     /// The row of the gap that presses.
     pub pressed: usize,
+    /// Its first row, and how many it has.
+    pub row: usize,
+    pub axes: usize,
     /// μ_s and μ_k.
     pub holding: R,
     pub sliding: R,
-    pub way: Way,
+    pub way: Way<R>,
 }
 
 /// Contacts that touch, and how they depend on one another: the rows of their gaps first, then those of what slides in them.
@@ -59,32 +68,68 @@ pub(super) struct Problem<R> {
     pub rubs: [Option<Rub<R>>; RIGID_TOUCHING],
 }
 
+/// Which way what slides in each contact goes.
+pub(super) type Ways<R> = [Way<R>; RIGID_TOUCHING];
+
 /// What solves it: forces, and of what slides which way.
 pub(super) struct Found<R> {
     pub forces: Few<R>,
-    pub ways: [Way; RIGID_TOUCHING],
+    pub ways: Ways<R>,
 }
 
-impl Way {
-    /// σ; 0 of what holds.
-    pub fn sign<R: Real>(self) -> R {
+/// What is tried: the gaps that push, which way something slides, and what begins to slide some way, as bits.
+#[derive(Clone, Copy)]
+pub(super) struct Trial<R> {
+    pub set: usize,
+    pub ways: Ways<R>,
+    pub begins: usize,
+}
+
+impl<R: Real> Way<R> {
+    /// One component of u; 0 of what holds.
+    pub fn along(&self, axis: usize) -> R {
         match self {
             Way::Open => R::ZERO,
-            Way::Forwards => R::ONE,
-            Way::Backwards => -R::ONE,
+            Way::Along(way) => at(way, axis),
         }
+    }
+
+    /// Along a line, with its direction or against it.
+    fn one(way: R) -> Self {
+        Way::Along([way, R::ZERO, R::ZERO])
+    }
+}
+
+impl<R: Real> Rub<R> {
+    /// Its rows.
+    pub fn rows(&self) -> core::ops::Range<usize> {
+        self.row..self.row + self.axes
+    }
+
+    /// Those of some numbers that belong to it.
+    pub fn own(&self, of: &Few<R>) -> [R; AXES] {
+        core::array::from_fn(|axis| if axis < self.axes { at(of, self.row + axis) } else { R::ZERO })
+    }
+
+    /// How large they are together.
+    pub fn size(&self, of: &Few<R>) -> R {
+        if self.axes == 1 {
+            return at(of, self.row).abs();
+        }
+        let own = self.own(of);
+        dot(&own, &own).sqrt()
     }
 }
 
 impl<R: Real> Problem<R> {
     /// How many rows there are.
     pub fn count(&self) -> usize {
-        self.gaps + self.rubs.iter().flatten().count()
+        self.gaps + self.rubbing().map(|rub| rub.axes).sum::<usize>()
     }
 
-    /// All that slides, and in which row.
-    pub fn rubbing(&self) -> impl Iterator<Item = (usize, Rub<R>)> {
-        (self.gaps..).zip(self.rubs.into_iter().flatten())
+    /// All that slides.
+    pub fn rubbing(&self) -> impl Iterator<Item = Rub<R>> {
+        self.rubs.into_iter().flatten()
     }
 
     /// The impulses of contacts whose gaps close with `rates` ġ⁻, by restitutions e of speeds: 0 ≤ P ⟂ G P + (1 + e) ġ⁻ ≥ 0. What would part slower
@@ -118,92 +163,151 @@ impl<R: Real> Problem<R> {
     fn all(&self, right: &Few<R>, pressed: &Few<R>) -> Option<Few<R>> {
         let rubs = self.rubs.map(|rub| rub.map(|rub| Rub { way: Way::Open, ..rub }));
         let any = Problem { rubs, ..self.clone() };
-        any.complementary(right, pressed, (1 << self.gaps) - 1).map(|found| found.forces)
+        any.complementary(right, pressed, (1 << self.gaps) - 1, None).map(|found| found.forces)
     }
 
-    /// The first way of all that solves it with gaps in `among`; other gaps have zero. `pressed` is what presses beside it.
-    pub fn complementary(&self, right: &Few<R>, pressed: &Few<R>, among: usize) -> Option<Found<R>> {
+    /// The first way of all that solves it with gaps in `among`; other gaps have zero. `pressed` is what presses beside it, `likely` is tried before
+    /// all others.
+    pub fn complementary(
+        &self,
+        right: &Few<R>,
+        pressed: &Few<R>,
+        among: usize,
+        likely: Option<Trial<R>>,
+    ) -> Option<Found<R>> {
         let largest = right.iter().fold(R::ZERO, |largest, c| largest.max(c.abs()));
         let nothing = R::from_f64(NOTHING).max(R::from_f64(1000.0) * R::EPSILON) * largest;
         let sets = (0..1_usize << self.gaps).filter(|set| set & !among == 0);
-        sets.flat_map(|set| self.slides(set, pressed).map(move |ways| (set, ways))).find_map(|(set, ways)| {
-            let forces = self.tried(right, pressed, set, &ways)?;
+        let all = sets.flat_map(|set| self.trials(set, pressed));
+        likely.into_iter().chain(all).find_map(|trial| {
+            let found = self.found(right, pressed, &trial)?;
+            let Found { forces, ways } = &found;
             let gaps = (0..self.gaps).filter(|place| among >> place & 1 == 1).all(|place| {
-                if set >> place & 1 == 1 {
-                    return at(&forces, place) >= R::ZERO;
+                if trial.set >> place & 1 == 1 {
+                    return at(forces, place) >= R::ZERO;
                 }
-                self.row(place, &forces) + at(right, place) >= -nothing
+                self.row(place, forces) + at(right, place) >= -nothing
             });
-            let holds = |((row, rub), way): ((usize, Rub<R>), &Way)| {
-                let bound = rub.holding * (at(&forces, rub.pressed) + at(pressed, rub.pressed));
-                match way {
-                    Way::Open => at(&forces, row).abs() <= bound,
-                    // It goes on as it does.
-                    _ if rub.way != Way::Open => true,
-                    way => way.sign::<R>() * (self.row(row, &forces) + at(right, row)) >= -nothing,
+            let is_consistent = |(rub, way): (Rub<R>, &Way<R>)| match way {
+                Way::Open => {
+                    rub.size(forces) <= rub.holding * (at(forces, rub.pressed) + at(pressed, rub.pressed))
+                }
+                // It goes on as it does.
+                _ if rub.way != Way::Open => true,
+                Way::Along(way) => {
+                    let rates = self.rates(&rub, forces, right);
+                    dot(way, &rates) >= -nothing
                 }
             };
-            (gaps && self.rubbing().zip(&ways).all(holds)).then_some(Found { forces, ways })
+            (gaps && self.rubbing().zip(ways).all(is_consistent)).then_some(found)
         })
     }
 
     /// All ways in which what is pressed by the gaps in `set` may hold or slide; what is not pressed holds nothing.
-    fn slides(&self, set: usize, pressed: &Few<R>) -> impl Iterator<Item = [Way; RIGID_TOUCHING]> {
+    fn trials(&self, set: usize, pressed: &Few<R>) -> impl Iterator<Item = Trial<R>> {
         let presses = |rub: &Rub<R>| set >> rub.pressed & 1 == 1 || at(pressed, rub.pressed) > R::ZERO;
-        let choices = self.rubs.map(|rub| match rub {
-            Some(rub) if presses(&rub) => Some(rub.way),
-            _ => None,
-        });
-        let many = choices.iter().map(|choice| if *choice == Some(Way::Open) { 3 } else { 1 });
-        (0..many.product()).map(move |mut which: usize| {
-            choices.map(|choice| match choice {
-                Some(Way::Open) => {
-                    let digit = which % 3;
-                    which /= 3;
-                    [Way::Open, Way::Forwards, Way::Backwards].get(digit).copied().unwrap_or(Way::Open)
+        let choices = self.rubs.map(|rub| rub.filter(presses));
+        let of = |rub: &Option<Rub<R>>| match rub {
+            Some(rub) if rub.way == Way::Open => if rub.axes == 1 { 3 } else { 2 },
+            _ => 1,
+        };
+        (0..choices.iter().map(of).product()).map(move |mut which: usize| {
+            let mut trial = Trial { set, ways: [Way::Open; RIGID_TOUCHING], begins: 0 };
+            for (place, (way, rub)) in trial.ways.iter_mut().zip(&choices).enumerate() {
+                let Some(rub) = rub else { continue };
+                if rub.way != Way::Open {
+                    *way = rub.way;
+                    continue;
                 }
-                Some(way) => way,
-                None => Way::Open,
-            })
+                let digit = which % of(&Some(*rub));
+                which /= of(&Some(*rub));
+                match digit {
+                    0 => {}
+                    1 if rub.axes > 1 => trial.begins |= 1 << place,
+                    1 => *way = Way::one(R::ONE),
+                    _ => *way = Way::one(-R::ONE),
+                }
+            }
+            trial
         })
     }
 
+    /// The forces of what is tried, and all its ways; nothing where they are not defined.
+    fn found(&self, right: &Few<R>, pressed: &Few<R>, trial: &Trial<R>) -> Option<Found<R>> {
+        if trial.begins != 0 {
+            return begun(self, right, pressed, trial);
+        }
+        Some(Found { forces: self.tried(right, pressed, trial.set, &trial.ways)?, ways: trial.ways })
+    }
+
     /// The forces where the gaps in `set` stay closed and what rubs goes these ways; nothing where they are not defined.
-    fn tried(
-        &self,
-        right: &Few<R>,
-        pressed: &Few<R>,
-        set: usize,
-        ways: &[Way; RIGID_TOUCHING],
-    ) -> Option<Few<R>> {
-        let (mut matrix, mut right, mut held) = (self.matrix, *right, set);
-        for ((row, rub), way) in self.rubbing().zip(ways) {
+    pub fn tried(&self, right: &Few<R>, pressed: &Few<R>, set: usize, ways: &Ways<R>) -> Option<Few<R>> {
+        let (matrix, held) = self.folded(pressed, set, ways);
+        let mut right = *right;
+        for (rub, way) in self.rubbing().zip(ways) {
             let beside = at(pressed, rub.pressed);
-            if *way == Way::Open {
-                let presses = set >> rub.pressed & 1 == 1 || beside > R::ZERO;
-                held |= usize::from(presses) << row;
-                continue;
-            }
-            // What slides goes with what presses.
-            let share = -way.sign::<R>() * rub.sliding;
-            for (entries, right) in matrix.iter_mut().zip(&mut right) {
-                let along = share * at(entries, row);
-                *right = *right + along * beside;
-                let folded = at(entries, rub.pressed) + along;
-                put(entries, rub.pressed, folded);
+            for (entries, right) in self.matrix.iter().zip(&mut right) {
+                *right = *right + rub.drag(way, entries) * beside;
             }
         }
-        let mut forces = solved(&matrix, &right, self.gaps, self.count(), held)?;
-        for ((row, rub), way) in self.rubbing().zip(ways).filter(|(_, way)| **way != Way::Open) {
+        let mut forces = solved(&matrix, &right, &self.yields(), self.count(), held)?;
+        for (rub, way) in self.rubbing().zip(ways).filter(|(_, way)| **way != Way::Open) {
             let pressing = at(&forces, rub.pressed) + at(pressed, rub.pressed);
-            put(&mut forces, row, -way.sign::<R>() * rub.sliding * pressing);
+            for (axis, row) in rub.rows().enumerate() {
+                put(&mut forces, row, -way.along(axis) * rub.sliding * pressing);
+            }
         }
         Some(forces)
     }
 
+    /// G where what slides goes with what presses, and the rows that are solved for.
+    pub fn folded(&self, pressed: &Few<R>, set: usize, ways: &Ways<R>) -> ([Few<R>; ROWS], usize) {
+        let (mut matrix, mut held) = (self.matrix, set);
+        for (rub, way) in self.rubbing().zip(ways) {
+            if *way == Way::Open {
+                if set >> rub.pressed & 1 == 1 || at(pressed, rub.pressed) > R::ZERO {
+                    held |= rub.rows().fold(0, |rows, row| rows | 1 << row);
+                }
+                continue;
+            }
+            for entries in &mut matrix {
+                let folded = at(entries, rub.pressed) + rub.drag(way, entries);
+                put(entries, rub.pressed, folded);
+            }
+        }
+        (matrix, held)
+    }
+
+    /// w of what slides.
+    pub fn rates(&self, rub: &Rub<R>, forces: &Few<R>, right: &Few<R>) -> [R; AXES] {
+        core::array::from_fn(|axis| match axis < rub.axes {
+            true => self.row(rub.row + axis, forces) + at(right, rub.row + axis),
+            false => R::ZERO,
+        })
+    }
+
+    /// What is added to the diagonal of rows that may repeat each other: of those that are along the axes of the world alike, so that they have
+    /// nothing along the normal.
+    pub fn yields(&self) -> Few<R> {
+        let mut yields = [R::ZERO; ROWS];
+        for rub in self.rubbing() {
+            let mean = self.trace(&rub) / R::from_f64(rub.axes as f64);
+            for row in rub.rows() {
+                put(&mut yields, row, mean);
+            }
+        }
+        yields
+    }
+
+    /// tr G of its rows.
+    pub fn trace(&self, rub: &Rub<R>) -> R {
+        let own = |row: usize| self.matrix.get(row).map_or(R::ZERO, |entries| at(entries, row));
+        rub.rows().fold(R::ZERO, |sum, row| sum + own(row))
+    }
+
     /// What takes away `rates` of the rows in `set`; nothing where it is not defined.
     pub fn against(&self, rates: &Few<R>, set: usize) -> Option<Few<R>> {
-        solved(&self.matrix, rates, self.gaps, self.count(), set)
+        solved(&self.matrix, rates, &self.yields(), self.count(), set)
     }
 
     /// One entry of G x.
@@ -212,23 +316,36 @@ impl<R: Real> Problem<R> {
     }
 }
 
-/// G x = −c of the rows in `set`, the others zero; nothing where G is singular. Rows from `gaps` on may repeat each other.
+impl<R: Real> Rub<R> {
+    /// What of a row of G one unit of what presses it adds by friction that way.
+    pub fn drag(&self, way: &Way<R>, entries: &Few<R>) -> R {
+        let Way::Along(way) = way else { return R::ZERO };
+        -self.sliding * dot(way, &self.own(entries))
+    }
+}
+
+/// What is added to each diagonal where rows may repeat each other, and each stands for itself.
+pub(super) fn by_themselves<R: Real>(matrix: &[Few<R>; ROWS]) -> Few<R> {
+    core::array::from_fn(|row| matrix.get(row).map_or(R::ZERO, |entries| at(entries, row)))
+}
+
+/// G x = −c of the rows in `set`, the others zero; nothing where G is singular. Rows with some of `yields`, N⁻¹ as G, may repeat each other.
 pub(super) fn solved<R: Real>(
     matrix: &[Few<R>; ROWS],
     right: &Few<R>,
-    gaps: usize,
+    yields: &Few<R>,
     count: usize,
     set: usize,
 ) -> Option<Few<R>> {
-    let mut x = eliminated(matrix, right, gaps, count, set)?;
-    if set >> gaps == 0 {
+    let mut x = eliminated(matrix, right, yields, count, set)?;
+    if !(0..count).any(|row| set >> row & 1 == 1 && at(yields, row) != R::ZERO) {
         return Some(x);
     }
     for _ in 0..REFINED {
         let left = core::array::from_fn(|row| {
             at(right, row) + matrix.get(row).map_or(R::ZERO, |entries| dot(entries, &x))
         });
-        let more = eliminated(matrix, &left, gaps, count, set)?;
+        let more = eliminated(matrix, &left, yields, count, set)?;
         x = core::array::from_fn(|row| at(&x, row) + at(&more, row));
     }
     Some(x)
@@ -237,14 +354,14 @@ pub(super) fn solved<R: Real>(
 fn eliminated<R: Real>(
     matrix: &[Few<R>; ROWS],
     right: &Few<R>,
-    gaps: usize,
+    yields: &Few<R>,
     count: usize,
     set: usize,
 ) -> Option<Few<R>> {
     let (mut left, mut x) = (*matrix, right.map(|c| -c));
     let yielding = R::from_f64(YIELDING).max(R::from_f64(256.0) * R::EPSILON);
-    for (place, row) in left.iter_mut().enumerate().take(count).skip(gaps) {
-        let diagonal = at(row, place) * (R::ONE + yielding);
+    for (place, row) in left.iter_mut().enumerate().take(count) {
+        let diagonal = at(row, place) + yielding * at(yields, place);
         put(row, place, diagonal);
     }
     let held = |place: usize| place < count && set >> place & 1 == 1;
@@ -252,15 +369,15 @@ fn eliminated<R: Real>(
     for pivot in (0..count).filter(|pivot| held(*pivot)) {
         let row = left.get(pivot).copied()?;
         let diagonal = at(&row, pivot);
-        let whole = matrix.get(pivot).map_or(R::ZERO, |row| at(row, pivot));
+        let whole = matrix.get(pivot).map_or(R::ZERO, |row| at(row, pivot)).abs().max(at(yields, pivot));
         // Written so that a NaN is singular.
-        if !R::any(diagonal.greater(least * whole.abs())) {
+        if !R::any(diagonal.greater(least * whole)) {
             return None;
         }
         for below in (0..count).filter(|below| held(*below) && *below != pivot) {
             let target = left.get_mut(below)?;
             let factor = at(target, pivot) / diagonal;
-            for (entry, above) in target.iter_mut().zip(&row) {
+            for (entry, above) in target.iter_mut().zip(&row).take(count) {
                 *entry = *entry - factor * *above;
             }
             let value = at(&x, below) - factor * at(&x, pivot);

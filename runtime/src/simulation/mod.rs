@@ -24,6 +24,7 @@ mod step;
 mod sticking;
 mod strike;
 mod ties;
+mod which_way;
 
 pub use complementarity::RIGID_TOUCHING;
 pub use dynamics::MechanismDynamics;

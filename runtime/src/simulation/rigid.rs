@@ -12,7 +12,10 @@
 //! has no speed; which of both is held from touch to touch. The problems themselves are solved in `complementarity.rs`, impulses and what follows
 //! them are `strike.rs`, where steps are parted is `held.rs`.
 
+use super::along_several::{along_rates, is_first, size, together};
 use super::complementarity::{ROWS, solved};
+use super::sticking::SLOWER;
+use super::strike::SLOW;
 use super::{MechanismDynamics, Simulation};
 use crate::formulation::Formulation;
 use crate::input::InputSource;
@@ -55,6 +58,11 @@ pub(super) fn grips<R: Real, M: Mechanism<R>>(model: &M) -> [M::Gates; 2] {
     let (mut holding, mut sliding) = (zeros(), zeros());
     model.grips(&mut holding, &mut sliding);
     [holding, sliding]
+}
+
+/// Whether what slides by this gate, and those that slide as one with it, holds where it is pressed.
+pub(super) fn stands<R: Real, M: Mechanism<R>>(model: &M, ways: &M::Gates, gate: usize) -> bool {
+    R::any(size(model, ways, gate).equal(R::ZERO))
 }
 
 /// Of each gate: how fast its gap opens or it slides with some velocities, the derivative of that without accelerations, and the restitution.
@@ -121,7 +129,12 @@ where
     let (drifts, biases) = (along(&model.zero_v()), strikes(model, time, &state.q, &state.v).biases);
     let (free, open) = (along(a), (a.clone(), lambda.clone()));
     let [_, sliding] = grips(model);
-    let holds = |i: usize| R::any(at(held.ways.as_slice(), i).equal(R::ZERO));
+    let holds = |i: usize| stands(model, &held.ways, i);
+    // What slides along several directions does so as it moves at this state.
+    let mut goes = held.ways.clone();
+    if !model.slide_as_one().is_empty() {
+        along_rates(model, &along(&state.v), R::from_f64(SLOW) * still(state.v.as_slice()), &mut goes);
+    }
     let group_of = |i: usize| at(held.groups.as_slice(), i);
     let rubs = !model.pressed_by().is_empty();
     for first in gaps.clone() {
@@ -132,11 +145,10 @@ where
         let rubbing = all
             .clone()
             .filter(|i| pressed_by(model, *i).is_some_and(|gap| closed(gap) && own(&gap)) && holds(*i));
-        let (mut which, mut count) = ([0; ROWS], 0);
+        let (mut which, mut count, mut yields) = ([0; ROWS], 0, [R::ZERO; ROWS]);
         for (place, i) in which.iter_mut().zip(gaps.clone().filter(own).chain(rubbing)) {
             (*place, count) = (i, count + 1);
         }
-        let gaps = which.iter().take(count).filter(|i| pressed_by(model, **i).is_none()).count();
         let mut ways: [(M::V, M::Lambda, M::Gates); ROWS] =
             core::array::from_fn(|_| (model.zero_v(), model.zero_lambda(), zeros()));
         let (mut matrix, mut right) = ([[R::ZERO; ROWS]; ROWS], [R::ZERO; ROWS]);
@@ -146,7 +158,7 @@ where
             let size = at(state.gates.as_slice(), pressed_by(model, i).unwrap_or(i)).max(R::from_f64(LEAST));
             put(one.as_mut_slice(), i, size);
             for slides in all.clone().filter(|slides| pressed_by(model, *slides) == Some(i)) {
-                let share = -at(held.ways.as_slice(), slides) * at(sliding.as_slice(), slides);
+                let share = -at(goes.as_slice(), slides) * at(sliding.as_slice(), slides);
                 put(one.as_mut_slice(), slides, share * size);
             }
             solve(one, way, reaction);
@@ -163,7 +175,15 @@ where
         }
         // Where what rubs has no solution nothing is known, and the step says so; what only pushes does not where it cannot.
         let without = if rubs { R::from_f64(f64::NAN) } else { R::ZERO };
-        let pressed = solved(&matrix, &right, gaps, count, (1 << count) - 1).unwrap_or([without; ROWS]);
+        for (row, &i) in rows.enumerate().filter(|(_, i)| pressed_by(model, **i).is_some()) {
+            let rows = (row..count).take_while(|row| together(model, i).any(|j| which.get(*row) == Some(&j)));
+            let own = |row: usize| matrix.get(row).map_or(R::ZERO, |entries| at(entries, row));
+            let (trace, axes) = rows.clone().fold((R::ZERO, R::ZERO), |(sum, n), row| (sum + own(row), n + R::ONE));
+            if is_first(model, i) {
+                rows.for_each(|row| put(&mut yields, row, trace / axes));
+            }
+        }
+        let pressed = solved(&matrix, &right, &yields, count, (1 << count) - 1).unwrap_or([without; ROWS]);
         for (force, (way, reaction, one)) in pressed.into_iter().zip(&ways).take(count) {
             forces.axpy(force, one);
             a.axpy(force, way);
@@ -238,15 +258,22 @@ where
             let inputs = self.dynamics.inputs_within(time, &state);
             let forces = self.dynamics.forces_at_rest(time, &state, &inputs);
             let [holding, _] = grips(model);
+            let Held { ways, speeds, .. } = &self.dynamics.held;
+            let sliding = rates.clone();
+            let along = |i: usize| at(ways.as_slice(), i) * at(sliding.as_slice(), i);
             for i in gates.clone() {
-                let (force, rate) = (at(forces.as_slice(), i), at(rates.as_slice(), i));
                 let guard = match pressed_by(model, i) {
-                    None if closed(i) => force,
-                    Some(gap) if closed(gap) => {
-                        let way = at(self.dynamics.held.ways.as_slice(), i);
+                    None if closed(i) => at(forces.as_slice(), i),
+                    // Those that slide as one are watched as one.
+                    Some(gap) if closed(gap) && !is_first(model, i) => R::ONE,
+                    Some(gap) if closed(gap) && stands(model, ways, i) => {
                         let most = at(holding.as_slice(), i) * at(forces.as_slice(), gap);
                         // What holds as much as it can holds still.
-                        if way == R::ZERO { (R::ONE + sharp()) * most - force.abs() } else { way * rate }
+                        (R::ONE + sharp()) * most - size(model, &forces, i)
+                    }
+                    Some(gap) if closed(gap) => {
+                        let slower = R::from_f64(SLOWER) * at(speeds.as_slice(), i);
+                        together(model, i).fold(-slower, |sum, j| sum + along(j))
                     }
                     _ => continue,
                 };

@@ -6,8 +6,9 @@
 //! Newton's law of restitution beside friction may give energy (Kane and Levinson, Dynamics, 1985, 5.8): [`Blow::gained`] says so.
 
 use super::Simulation;
-use super::complementarity::{Few, Problem, RIGID_TOUCHING, ROWS, Rub, Way};
-use super::rigid::{Held, Strikes, grips, near, pressed_by, still, strikes};
+use super::along_several::{alone, is_first, together};
+use super::complementarity::{Few, Found, Problem, RIGID_TOUCHING, ROWS, Rub, Trial, Way};
+use super::rigid::{Held, Strikes, grips, near, pressed_by, stands, still, strikes};
 use crate::error::{SettingError, SimulationError};
 use crate::formulation::Formulation;
 use crate::input::InputSource;
@@ -16,7 +17,7 @@ use crate::mechanism::Assemble;
 use crate::real::Real;
 use crate::state::State;
 use crate::trigger::{contacts, with_memories};
-use crate::vector::{Vector, at, put};
+use crate::vector::{Vector, at, dot, put};
 
 /// How often rigid contacts may touch or part in one step; more is [`Chatter`](SimulationError::Chatter). What comes to rest with restitution e
 /// touches ln(10⁷)/ln(1/e) times in its last step: 73 times with 0.8, 1604 times with 0.99.
@@ -44,6 +45,12 @@ pub(super) struct Blow<R> {
 
 /// What of a speed counts for no sliding, in roundings of speeds: from it, friction may hold.
 pub(super) const SLOW: f64 = 1000.0;
+
+/// How far something may slide on that is taken to stand, as a part of what counts as no gap.
+pub(super) const FURTHER: f64 = 1e-3;
+
+/// What is left of ẇ where others hold what slides, as a part of what friction makes of it.
+const TIED: f64 = 1e-9;
 
 /// Contacts that know of each other.
 struct Group {
@@ -100,7 +107,7 @@ where
                 }
                 group = group + R::ONE;
                 let touching = self.touching(&members, &store, &inputs);
-                self.strike_group(touching, &gaps, &inputs, &mut gates, &mut held.ways, &mut blow)?;
+                self.strike_group(touching, &gaps, &inputs, &mut gates, &mut held, &mut blow)?;
             }
         }
         self.take_gates(&before, gates, held, &mut blow);
@@ -117,7 +124,7 @@ where
         gaps: &M::Gates,
         inputs: &M::Inputs,
         gates: &mut M::Gates,
-        ways: &mut M::Gates,
+        now: &mut Held<M::Gates>,
         blow: &mut Blow<R>,
     ) -> Result<(), SimulationError> {
         let (model, time) = (self.model(), self.time());
@@ -125,7 +132,7 @@ where
         let closed = |i: usize| at(before.as_slice(), i) > R::ZERO;
         let rests = |i: usize| match pressed_by(model, i) {
             None => closed(i),
-            Some(gap) => closed(gap) && at(ways_before.as_slice(), i) == R::ZERO,
+            Some(gap) => closed(gap) && stands(model, &ways_before, i),
         };
         let mut approach = self.approach(&mut touching, inputs, closed, rests);
         let resting = touching.each().filter(|(_, i)| rests(*i)).fold(0, |set, (place, _)| set | 1 << place);
@@ -167,9 +174,11 @@ where
             rate * rate + two * at(&falls, place) * above <= rest * rest
         });
         let near = still_near.fold(0, |set, (place, _)| set | 1 << place);
-        let Some(found) = touching.problem.complementary(&bends, &[R::ZERO; ROWS], near) else {
+        let likely = self.as_before(&touching);
+        let Some(found) = settled(&mut touching.problem, &rates, &bends, near, likely) else {
             return Err(self.no_impact(&touching));
         };
+        let slow = R::from_f64(SLOW) * still;
         let (mut held, mut pushed) = (0_usize, 0_usize);
         let mut off = [R::ZERO; ROWS];
         for (place, i) in touching.gaps() {
@@ -181,11 +190,26 @@ where
             blow.rested += u32::from(rests && !closed(i));
             put(&mut off, place, gap);
         }
-        for ((place, rub), way) in touching.problem.rubbing().zip(found.ways) {
-            let i = touching.at(place);
-            put(gates.as_mut_slice(), i, at(&found.forces, place));
-            put(ways.as_mut_slice(), i, way.sign());
-            held |= usize::from(held >> rub.pressed & 1 == 1 && way == Way::Open) << place;
+        for (rub, way) in touching.problem.rubbing().zip(&found.ways) {
+            let holds = held >> rub.pressed & 1 == 1 && *way == Way::Open;
+            for (axis, place) in rub.rows().enumerate() {
+                let i = touching.at(place);
+                put(gates.as_mut_slice(), i, at(&found.forces, place));
+                put(now.ways.as_mut_slice(), i, way.along(axis));
+                held |= usize::from(holds) << place;
+            }
+            if rub.axes > 1 && *way != Way::Open {
+                let (first, speed) = (touching.at(rub.row), rub.size(&rates));
+                put(now.speeds.as_mut_slice(), first, speed);
+                let bent = touching.problem.rates(&rub, &found.forces, &bends);
+                let braked = rub.size(&found.forces) * touching.problem.trace(&rub);
+                // What others hold has no way of its own.
+                if speed > slow || dot(&bent, &bent).sqrt() > R::from_f64(TIED) * braked {
+                    // In what time its way may change by as much as its speed does.
+                    let slowest = speed.max(stop(&touching.problem, &rub, &found.forces, &bends));
+                    put(now.times.as_mut_slice(), first, slowest / braked);
+                }
+            }
         }
         // What is rigid is never inside.
         if let Some(back) = touching.problem.against(&rates, held) {
@@ -314,12 +338,16 @@ where
         for i in 0..contacts(model) {
             let Some(gap) = pressed_by(model, i) else { continue };
             let Some(pressed) = which.iter().take(gaps).position(|gate| *gate == gap) else { continue };
-            if let (Some(place), Some(rub)) = (which.get_mut(count), rubs.get_mut(count - gaps)) {
+            let Some(rub) = rubs.iter_mut().find(|rub| rub.is_none()).filter(|_| is_first(model, i)) else {
+                continue;
+            };
+            let row = count;
+            for (place, i) in which.iter_mut().skip(row).zip(together(model, i)) {
                 *place = i;
-                let (holding, sliding) = (at(holding.as_slice(), i), at(sliding.as_slice(), i));
-                *rub = Some(Rub { pressed, holding, sliding, way: Way::Open });
                 count += 1;
             }
+            let (holding, sliding) = (at(holding.as_slice(), i), at(sliding.as_slice(), i));
+            *rub = Some(Rub { pressed, row, axes: count - row, holding, sliding, way: Way::Open });
         }
         let drifts = self.rates_at(&model.zero_v());
         let ways: [M::V; ROWS] = core::array::from_fn(|place| {
@@ -379,20 +407,17 @@ where
         }
         let still = still(state.v.as_slice());
         let slow = R::from_f64(SLOW) * still;
-        for (place, rub) in (touching.problem.gaps..).zip(touching.problem.rubs.iter_mut().flatten()) {
-            let rate = at(&rates, place);
-            rub.way = match () {
-                () if holds(at_index(&touching.which, place)) => Way::Open,
-                () if rate > slow => Way::Forwards,
-                () if rate < -slow => Way::Backwards,
-                () => Way::Open,
-            };
+        for rub in touching.problem.rubs.iter_mut().flatten() {
+            let speed = rub.size(&rates);
+            let slides = !holds(at_index(&touching.which, rub.row)) && R::any(speed.greater(slow));
+            rub.way = if slides { Way::Along(rub.own(&rates).map(|rate| rate / speed)) } else { Way::Open };
         }
         // What lies on something falls on another by what both do together.
         let resting = touching.gaps().filter(|(_, i)| closed(*i)).fold(0, |set, (place, _)| set | 1 << place);
+        let likely = self.as_before(touching);
         let held = match resting {
             0 => None,
-            resting => touching.problem.complementary(&bends, &[R::ZERO; ROWS], resting),
+            resting => touching.problem.complementary(&bends, &[R::ZERO; ROWS], resting, likely),
         };
         let rounding = R::from_f64(4.0) * R::EPSILON * state.q.max_abs();
         let half = R::from_f64(0.5 * FLIGHT) * self.run.step.unwrap_or(R::ONE);
@@ -415,11 +440,41 @@ where
         Approach { rates, bends, falls, slowest }
     }
 
+    /// The same gaps that push, and the same that holds as before, where something slides along several directions: then there is much to try.
+    fn as_before(&self, touching: &Touching<R, M::V>) -> Option<Trial<R>> {
+        let (gates, ways) = (self.run.state.gates.as_slice(), self.dynamics.held.ways.as_slice());
+        let mut trial = Trial { set: 0, ways: [Way::Open; RIGID_TOUCHING], begins: 0 };
+        if touching.problem.rubbing().all(|rub| rub.axes == 1) {
+            return None;
+        }
+        for (place, i) in touching.gaps() {
+            trial.set |= usize::from(at(gates, i) > R::ZERO) << place;
+        }
+        for (place, (rub, way)) in touching.problem.rubbing().zip(&mut trial.ways).enumerate() {
+            let before = core::array::from_fn(|axis| match axis < rub.axes {
+                true => at(ways, touching.at(rub.row + axis)),
+                false => R::ZERO,
+            });
+            if trial.set >> rub.pressed & 1 == 0 {
+                continue;
+            }
+            if rub.way != Way::Open {
+                *way = rub.way;
+            } else if dot(&before, &before) > R::ZERO {
+                *way = Way::Along(before);
+                trial.begins |= usize::from(rub.axes > 1) << place;
+            }
+        }
+        (trial.set != 0).then_some(trial)
+    }
+
     fn take_gates(&mut self, before: &M::Gates, gates: M::Gates, held: Held<M::Gates>, blow: &mut Blow<R>) {
         let opened = |i: usize| (at(before.as_slice(), i) > R::ZERO) != (at(gates.as_slice(), i) > R::ZERO);
-        let ways = [&self.dynamics.held.ways, &held.ways];
-        let turned = |i: usize| at(ways[0].as_slice(), i) != at(ways[1].as_slice(), i);
-        let model = self.model();
+        let (model, ways) = (self.model(), [&self.dynamics.held.ways, &held.ways]);
+        let turned = |i: usize| match alone(model, i) {
+            true => at(ways[0].as_slice(), i) != at(ways[1].as_slice(), i),
+            false => is_first(model, i) && stands(model, ways[0], i) != stands(model, ways[1], i),
+        };
         let changed = (0..contacts(model)).filter(|i| match pressed_by(model, *i) {
             None => opened(*i),
             Some(_) => turned(*i),
@@ -486,6 +541,37 @@ impl<R: Real, V> Touching<R, V> {
     fn at(&self, place: usize) -> usize {
         at_index(&self.which, place)
     }
+}
+
+/// The forces and ways of what rests, and of what slides with these rates; what is as good as at rest may go any way.
+fn settled<R: Real>(
+    problem: &mut Problem<R>,
+    rates: &Few<R>,
+    bends: &Few<R>,
+    near: usize,
+    likely: Option<Trial<R>>,
+) -> Option<Found<R>> {
+    let likely = likely.filter(|trial| trial.set & !near == 0);
+    let found = problem.complementary(bends, &[R::ZERO; ROWS], near, likely)?;
+    let mut stopped = false;
+    for place in 0..RIGID_TOUCHING {
+        let Some(Some(rub)) = problem.rubs.get(place).copied() else { continue };
+        let slides = rub.axes > 1 && rub.way != Way::Open;
+        if slides && R::any(rub.size(rates).less_equal(stop(problem, &rub, &found.forces, bends))) {
+            if let Some(Some(rub)) = problem.rubs.get_mut(place) {
+                rub.way = Way::Open;
+            }
+            stopped = true;
+        }
+    }
+    if stopped { problem.complementary(bends, &[R::ZERO; ROWS], near, None) } else { Some(found) }
+}
+
+/// The speed √(a d) of what slides along several directions with which it gets no further than d before it stands, if friction stops it
+/// with a: there is no way of its own in that, which methods could follow.
+fn stop<R: Real>(problem: &Problem<R>, rub: &Rub<R>, forces: &Few<R>, bends: &Few<R>) -> R {
+    let bent = problem.rates(rub, forces, bends);
+    (R::from_f64(FURTHER) * near::<R>() * dot(&bent, &bent).sqrt()).sqrt()
 }
 
 fn at_index(which: &[usize; ROWS], place: usize) -> usize {

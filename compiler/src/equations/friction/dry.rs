@@ -1,7 +1,7 @@
 //! Dry friction: it holds with whatever is asked of it up to a bound, and slides with a lesser one against the sliding, Coulomb's law as it is.
 //!
 //! ```text
-//! contact   holds with |F| ≤ μ_s N, slides with μ_k N
+//! contact   holds with |F| ≤ μ_s N, slides with μ_k N; in space F = g − n (n·g), g three numbers along the axes of the world, n the normal
 //! joint     holds with |F| ≤ b + r μ_s N, slides with f + r μ_k N       r the radius of what turns, else 1; N as `bearing` has it
 //! ```
 //! Its force (N or N m) is a number of the state, of each component along what slides, of which |F| is the size: what it is, and when it changes between both, follows in the run from all
@@ -73,9 +73,22 @@ fn slide<'g>(laws: &Laws<'g>, load: &Load) -> Vec<(Moving<'g>, Scalar<'g>)> {
 }
 
 fn terms<'g>(laws: &Laws<'g>, load: &Load) -> LoadTerms<'g> {
+    if load.contact().is_some() {
+        return in_contact(laws, load);
+    }
     let slide = slide(laws, load).into_iter().zip(forces(laws, load));
     slide.fold(LoadTerms::none(laws), |sum, ((coordinate, lever), force)| {
         sum.and(along(&coordinate, lever * force))
+    })
+}
+
+/// Of each gap along what slides; in space what of three numbers is along the surface.
+fn in_contact<'g>(laws: &Laws<'g>, load: &Load) -> LoadTerms<'g> {
+    let mut forces = forces(laws, load).into_iter();
+    slips(laws, load).into_iter().fold(LoadTerms::none(laws), |sum, slip| {
+        let own = forces.by_ref().take(slip.along.len()).collect::<Vec<_>>();
+        let along = touching::beside(&slip.normal, own);
+        slip.along.iter().zip(along).fold(sum, |sum, ((slides, _), force)| sum.and(super::along(slides, force)))
     })
 }
 
@@ -88,7 +101,7 @@ fn effort<'g>(laws: &Laws<'g>, load: &Load) -> Scalar<'g> {
     first.map_or_else(|| laws.g.zero(), |((_, lever), force)| lever * force)
 }
 
-/// Of each gap, or of the joint along each coordinate: how fast the surfaces slide, and the derivative of that at v̇ = 0.
+/// Of each gap, in space along each axis, or of the joint along each coordinate: how fast the surfaces slide, and the derivative of that at v̇ = 0.
 pub fn slidings(laws: &Laws, load: &Load) -> Vec<[Node; 2]> {
     let Some(contact) = load.contact() else {
         let moved = |(coordinate, lever): (Moving, Scalar)| {
@@ -97,7 +110,7 @@ pub fn slidings(laws: &Laws, load: &Load) -> Vec<[Node; 2]> {
         return slide(laws, load).into_iter().map(moved).collect();
     };
     let all = laws.mechanism.loads[contact.0].slides.iter();
-    all.map(|sliding| touching::moved(laws, sliding).map(|it| it.bare)).collect()
+    all.flat_map(|sliding| touching::moved(laws, sliding)).map(|it| it.map(|it| it.bare)).collect()
 }
 
 /// μ_s and μ_k of the dry friction of a contact.

@@ -117,11 +117,7 @@ impl<'g> Slip<'g> {
     fn sliding(&self) -> Vec<Scalar<'g>> {
         let rates: Vec<Scalar> =
             self.along.iter().map(|(coordinate, lever)| *lever * coordinate.rate()).collect();
-        let across = self.normal.iter().zip(&rates).map(|(n, rate)| *n * *rate).reduce(|a, b| a + b);
-        match across {
-            Some(across) => rates.iter().zip(&self.normal).map(|(rate, n)| *rate - across * *n).collect(),
-            None => rates,
-        }
+        touching::beside(&self.normal, rates)
     }
 
     fn efforts(

@@ -49,21 +49,62 @@ pub(super) fn slip<'g>(laws: &Laws<'g>, sliding: &Sliding) -> Slip<'g> {
     Slip { along, radius: one, pressed: zero, normal, closed: None }
 }
 
-/// How fast surfaces slide in the plane, and the derivative of that at v̇ = 0.
-pub(super) fn moved<'g>(laws: &Laws<'g>, sliding: &Sliding) -> [Scalar<'g>; 2] {
-    match sliding {
+/// What of a vector is along a surface, x − n (n·x); all of it where there is no normal.
+pub(super) fn beside<'g>(normal: &[Scalar<'g>], x: Vec<Scalar<'g>>) -> Vec<Scalar<'g>> {
+    let across = normal.iter().zip(&x).map(|(n, x)| *n * *x).reduce(|a, b| a + b);
+    match across {
+        Some(across) => x.iter().zip(normal).map(|(x, n)| *x - across * *n).collect(),
+        None => x,
+    }
+}
+
+/// How fast surfaces slide, and the derivative of that at v̇ = 0: one number in the plane; in space v_t along the axes of the world, and what of
+/// its derivative is along the surface, v̇ − n (n·v̇) − ṅ (n·v).
+pub(super) fn moved<'g>(laws: &Laws<'g>, sliding: &Sliding) -> Vec<[Scalar<'g>; 2]> {
+    let spot = match sliding {
         Sliding::Along(slip) => {
             let slip = laws.jet(slip);
-            [slip.rate(), slip.bias()]
+            return vec![[slip.rate(), slip.bias()]];
         }
-        Sliding::Surfaces(spot) => {
-            let jets = |parts: &[Expr]| parts.iter().map(|part| laws.jet(part)).collect::<Vec<_>>();
-            let (point, normal) = (jets(&spot.point), jets(&spot.normal));
-            let values = |jets: &[Moving<'g>]| jets.iter().map(|jet| jet.value()).collect::<Vec<_>>();
-            let along = in_plane(laws, spot, &values(&point), &values(&normal));
-            [along.rate(), along.bias() + turned(laws, spot, &point, &normal)]
-        }
+        Sliding::Surfaces(spot) => spot,
+    };
+    let jets = |parts: &[Expr]| parts.iter().map(|part| laws.jet(part)).collect::<Vec<_>>();
+    let (point, normal) = (jets(&spot.point), jets(&spot.normal));
+    let values = |jets: &[Moving<'g>]| jets.iter().map(|jet| jet.value()).collect::<Vec<_>>();
+    let (at, n) = (values(&point), values(&normal));
+    if laws.mechanism.space == Space::Planar {
+        let along = in_plane(laws, spot, &at, &n);
+        return vec![[along.rate(), along.bias() + turned(laws, spot, &point, &normal)]];
     }
+    let along = in_space(laws, spot, &at);
+    let wandered = wandered(laws, spot, &point);
+    let rates: Vec<Scalar> = along.iter().map(|along| along.rate()).collect();
+    let biases: Vec<Scalar> = along.iter().zip(wandered).map(|(along, by)| along.bias() + by).collect();
+    let across = n.iter().zip(&rates).map(|(n, rate)| *n * *rate).reduce(|a, b| a + b);
+    let turned = beside(&n, biases).into_iter().zip(&normal).map(|(bias, n)| match across {
+        Some(across) => bias - across * n.rate(),
+        None => bias,
+    });
+    beside(&n, rates).into_iter().zip(turned).map(|(rate, bias)| [rate, bias]).collect()
+}
+
+/// What the wandering of P adds to the derivative of v in space, m/s²: of each body ω × (Ṗ − ṗ); that of the second taken off.
+fn wandered<'g>(laws: &Laws<'g>, spot: &Spot, point: &[Moving<'g>]) -> Vec<Scalar<'g>> {
+    let [first, second] = [0, 1].map(|which| {
+        let place = &spot.places[which];
+        let turning = turning(laws, place);
+        if turning.is_empty() {
+            return vec![laws.g.zero(); point.len()];
+        }
+        let at = laws.kinematics().world(laws, place);
+        let arm: Vec<Scalar> = point.iter().zip(&at).map(|(p, at)| p.rate() - at.rate()).collect();
+        let across = |axis: usize| {
+            let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
+            turning[j].rate() * arm[k] - turning[k].rate() * arm[j]
+        };
+        (0..point.len()).map(across).collect()
+    });
+    first.into_iter().zip(second).map(|(first, second)| first - second).collect()
 }
 
 /// What the turning of t and the wandering of P add to the derivative of t·v, t·v being linear in what moves: of each body
