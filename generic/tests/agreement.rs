@@ -26,6 +26,7 @@ const REFUSED: &[(&str, &str)] = &[
     ("dropping", RIGID),
     ("floated", "a mesh on axes that move"),
     ("gripping", RIGID),
+    ("gripping_in_space", RIGID),
     ("hammer_at_rigid_wall", RIGID),
     ("remembering", "memories and events"),
     ("remembering_brakes", "memories and events"),

@@ -213,6 +213,7 @@ fn power_is_balanced<M: Model>() {
                 "RubbingPairs",
                 "Dropping",
                 "Gripping",
+                "GrippingInSpace",
                 "VehicleOnPans"
             ]
             .contains(&model.name()),

@@ -9,6 +9,7 @@ mod convergence;
 mod dormand_prince;
 mod dry;
 mod dry_along_several;
+mod dry_in_space;
 mod dry_joints;
 mod emitted_code;
 mod events;

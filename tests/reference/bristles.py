@@ -21,8 +21,7 @@ def states(load, definition):
     if contact is None:
         count = COMPONENTS[next(joint["kind"] for joint in definition["joints"] if joint["name"] == load["on"])]
     else:
-        each = 3 if definition["kind"] == "spatial" and contact["kind"] == "between" else 1
-        count = each * contacts.count(definition, contact)
+        count = contacts.axes(definition, contact) * contacts.count(definition, contact)
     name = f"{load['name']}.{STATE[load['kind']]}"
     return [name] if count == 1 else [f"{name}[{i}]" for i in range(count)]
 
@@ -41,7 +40,7 @@ def sliding(velocity, normal):
     if normal.numel() == 2:
         along = ca.vertcat(normal[1], -normal[0])
         return along, [ca.dot(along, velocity)]
-    return ca.SX.eye(3), ca.vertsplit(velocity - normal * ca.dot(normal, velocity))
+    return ca.SX.eye(3), ca.vertsplit(contacts.beside(velocity, normal))
 
 
 def length(x, least):

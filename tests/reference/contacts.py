@@ -55,8 +55,14 @@ def gates(definition):
     if word != "held" and not rigid:
         return []
     rubbing = [(load["name"], find(definition, load["on"])) for load in definition["loads"] if is_dry(load)]
-    all_of = rubbing + [(contact["name"], contact) for contact in rigid or all_contacts]
-    return [(name, which) for name, contact in all_of for which in range(count(definition, contact))]
+    all_of = [(name, count(definition, contact) * axes(definition, contact)) for name, contact in rubbing]
+    all_of += [(contact["name"], count(definition, contact)) for contact in rigid or all_contacts]
+    return [(name, which) for name, many in all_of for which in range(many)]
+
+
+def axes(definition, contact):
+    """How many numbers the sliding of surfaces has at each gap: in space one along each axis of the world."""
+    return 3 if definition["kind"] == "spatial" and contact["kind"] == "between" else 1
 
 
 def directions(definition, load):
@@ -81,6 +87,11 @@ def count(definition, contact):
 def along_surface(velocity, normal):
     """The component of a velocity in the plane along a surface; what a gap says of itself has one."""
     return velocity if normal is None else normal[1] * velocity[0] - normal[0] * velocity[1]
+
+
+def beside(vector, normal):
+    """What of it is along the surface."""
+    return vector - normal * ca.dot(normal, vector)
 
 
 class Contacts:
@@ -185,12 +196,25 @@ class Contacts:
         return [self.gates[name, which] > 0.5 if self.is_held(name) else gap < 0 for which, gap in enumerate(gaps)]
 
     def slidings(self, name):
-        """Of a dry friction how fast the surfaces slide at each gap, along the normal turned clockwise, or in its joint."""
+        """Of a dry friction how fast the surfaces slide at each gap, along the normal turned clockwise, in space along the axes of the world, or
+        in its joint."""
         load = next(load for load in self.definition["loads"] if load["name"] == name)
         if not find(self.definition, load["on"]):
             along = [way for group, _ in friction.slips(load, self.kinematics) for way in group]
             return [factor * rate for rate, factor in along if not factor.is_zero()]
-        return [along_surface(velocity, normal) for velocity, normal in self.sliding(load["on"])]
+        if axes(self.definition, find(self.definition, load["on"])) == 1:
+            return [along_surface(velocity, normal) for velocity, normal in self.sliding(load["on"])]
+        return [x for velocity, normal in self.sliding(load["on"]) for x in ca.vertsplit(beside(velocity, normal))]
+
+    def bent(self, name):
+        """The derivatives of these at v̇ = 0, in space without what is along the normal."""
+        bent = self.kinematics.rate(ca.vertcat(*self.slidings(name)))
+        load = next(load for load in self.definition["loads"] if load["name"] == name)
+        contact = find(self.definition, load["on"])
+        if not contact or axes(self.definition, contact) == 1:
+            return ca.vertsplit(bent)
+        normals = [normal for _, normal in self.sliding(load["on"])]
+        return [x for k, normal in enumerate(normals) for x in ca.vertsplit(beside(bent[3 * k : 3 * k + 3], normal))]
 
     def restitutions(self, name):
         law = find(self.definition, name)["law"]
@@ -223,7 +247,7 @@ class Contacts:
                 elif what == "sliding":
                     along.append(normal[1] * velocity[0] - normal[0] * velocity[1])
                 else:
-                    along.append(velocity - normal * ca.dot(normal, velocity))
+                    along.append(beside(velocity, normal))
             if self.own and self.own[0] == name:
                 along = [along[self.own[1]]]
             axis, points = self.kinematics.axes.index(what[-1]) if "." in what else 0, along

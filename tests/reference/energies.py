@@ -115,7 +115,7 @@ class Energies:
             return ca.vertsplit(kinematics.rate(ca.vertcat(*touching.gaps(name)[0])))
 
         self.gap_rates = all_of(rigid, rates_of, touching.slidings)
-        self.gap_biases = kinematics.rate(self.gap_rates) if rigid else ca.SX(0, 1)
+        self.gap_biases = all_of(rigid, lambda name: ca.vertsplit(kinematics.rate(ca.vertcat(*rates_of(name)))), touching.bent)
         self.restitutions = all_of(rigid, touching.restitutions, nothing)
         speeds, jumps = memories.jumping(self.model, kinematics)
         # Of events their derivatives are not asked for.

@@ -92,7 +92,7 @@ def in_contact(load, kinematics):
             rates.append(velocity)
             acting += ca.vertsplit(ca.mtimes(frame, ca.vertcat(*along)))
             continue
-        tangential = velocity if normal is None else velocity - normal * ca.dot(normal, velocity)
+        tangential = velocity if normal is None else contacts.beside(velocity, normal)
         resisted_along = resisted(load, kinematics, ca.vertsplit(tangential))
         rates.append(velocity)
         acting += [-(pressed * p + ca.if_else(closed, o, 0)) for p, o in resisted_along]

@@ -237,7 +237,8 @@ impl Mechanism {
             let bearing = joint.and_then(|joint| self.joints[joint.0].form.bearing);
             if bearing.is_some_and(Bearing::slides_as_one) { load.ungated.len() } else { 1 }
         };
-        let first = |(place, (load, which)): (usize, &(LoadId, usize))| place - which % as_one(&self.loads[load.0]);
+        let first =
+            |(place, (load, which)): (usize, &(LoadId, usize))| place - which % as_one(&self.loads[load.0]);
         let found: Vec<usize> = gates.iter().enumerate().map(first).collect();
         if found.iter().enumerate().all(|(place, first)| place == *first) { Vec::new() } else { found }
     }

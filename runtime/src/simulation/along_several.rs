@@ -73,15 +73,9 @@ pub(super) fn along_rates<R: Real, M: Mechanism<R>>(
 }
 
 /// y of those in the set where they begin to slide with |y| = f, ẇ being `open` without it; nothing where they are held with less.
-pub(super) fn begun<R: Real>(
-    matrix: &[Few<R>; ROWS],
-    open: &Few<R>,
-    yields: &Few<R>,
-    set: usize,
-    force: R,
-) -> Option<Few<R>> {
+pub(super) fn begun<R: Real>(matrix: &[Few<R>; ROWS], open: &Few<R>, set: usize, force: R) -> Option<Few<R>> {
     let mut lambda = R::ZERO;
-    let mut forces = solved(matrix, open, yields, ROWS, set)?;
+    let mut forces = solved(matrix, open, 0, ROWS, set)?;
     let size = |x: &Few<R>| dot(x, x).sqrt();
     if !R::any(size(&forces).greater(force)) {
         return None;
@@ -98,20 +92,19 @@ pub(super) fn begun<R: Real>(
             put(row, i, own + lambda);
         }
         // It is the other way round than y.
-        let bent = solved(&stiffer, &forces, yields, ROWS, set)?;
+        let bent = solved(&stiffer, &forces, 0, ROWS, set)?;
         let (squares, falls) = (dot(&forces, &forces), -dot(&forces, &bent));
         lambda = lambda + more / force * (squares / falls);
         for (i, row) in stiffer.iter_mut().enumerate() {
             put(row, i, at(matrix.get(i)?, i) + lambda);
         }
-        forces = solved(&stiffer, open, yields, ROWS, set)?;
+        forces = solved(&stiffer, open, 0, ROWS, set)?;
     }
     Some(forces)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::complementarity::by_themselves;
     use super::*;
 
     fn rows(of: [[f64; 3]; 3]) -> [Few<f64>; ROWS] {
@@ -123,7 +116,7 @@ mod tests {
         let matrix = rows([[4.0, 1.0, 0.0], [1.0, 0.5, 0.1], [0.0, 0.1, 20.0]]);
         let open: Few<f64> = core::array::from_fn(|i| [3.0, -7.0, 11.0].get(i).copied().unwrap_or(0.0));
         for force in [0.01, 1.0, 17.0, 29.0] {
-            let y = begun(&matrix, &open, &by_themselves(&matrix), 0b111, force).expect("it slides");
+            let y = begun(&matrix, &open, 0b111, force).expect("it slides");
             assert!((dot(&y, &y).sqrt() - force).abs() <= 1e-14 * force, "{force}: {y:?}");
             let bends: [f64; 3] = core::array::from_fn(|i| dot(&matrix[i], &y) + open[i]);
             let along: f64 = bends.iter().zip(&y).map(|(a, y)| -a * y / force).sum();
@@ -133,6 +126,6 @@ mod tests {
             }
         }
         // (G)⁻¹ ẇ₀ is 31 N, which holds.
-        assert!(begun(&matrix, &open, &by_themselves(&matrix), 0b111, 40.0).is_none());
+        assert!(begun(&matrix, &open, 0b111, 40.0).is_none());
     }
 }

@@ -29,6 +29,9 @@ const NOTHING: f64 = 1e-11;
 /// What is added to the diagonal of forces that hold, as a part of it: where several hold the same, all of them do so alike.
 const YIELDING: f64 = 1e-9;
 
+/// What of a motion along an axis is none, as a part of that of the others.
+const MOVES: f64 = 1e-9;
+
 /// How often what that leaves is taken away.
 const REFINED: u32 = 2;
 
@@ -208,7 +211,13 @@ impl<R: Real> Problem<R> {
         let presses = |rub: &Rub<R>| set >> rub.pressed & 1 == 1 || at(pressed, rub.pressed) > R::ZERO;
         let choices = self.rubs.map(|rub| rub.filter(presses));
         let of = |rub: &Option<Rub<R>>| match rub {
-            Some(rub) if rub.way == Way::Open => if rub.axes == 1 { 3 } else { 2 },
+            Some(rub) if rub.way == Way::Open => {
+                if rub.axes == 1 {
+                    3
+                } else {
+                    2
+                }
+            }
             _ => 1,
         };
         (0..choices.iter().map(of).product()).map(move |mut which: usize| {
@@ -250,7 +259,7 @@ impl<R: Real> Problem<R> {
                 *right = *right + rub.drag(way, entries) * beside;
             }
         }
-        let mut forces = solved(&matrix, &right, &self.yields(), self.count(), held)?;
+        let mut forces = solved(&matrix, &right, self.gaps, self.count(), held)?;
         for (rub, way) in self.rubbing().zip(ways).filter(|(_, way)| **way != Way::Open) {
             let pressing = at(&forces, rub.pressed) + at(pressed, rub.pressed);
             for (axis, row) in rub.rows().enumerate() {
@@ -286,17 +295,12 @@ impl<R: Real> Problem<R> {
         })
     }
 
-    /// What is added to the diagonal of rows that may repeat each other: of those that are along the axes of the world alike, so that they have
-    /// nothing along the normal.
-    pub fn yields(&self) -> Few<R> {
-        let mut yields = [R::ZERO; ROWS];
-        for rub in self.rubbing() {
-            let mean = self.trace(&rub) / R::from_f64(rub.axes as f64);
-            for row in rub.rows() {
-                put(&mut yields, row, mean);
-            }
+    /// Completes the blocks of what slides in space.
+    pub fn completed(mut self) -> Self {
+        for rub in self.rubs.into_iter().flatten().filter(|rub| rub.axes > 1) {
+            complete(&mut self.matrix, rub.row);
         }
-        yields
+        self
     }
 
     /// tr G of its rows.
@@ -307,7 +311,7 @@ impl<R: Real> Problem<R> {
 
     /// What takes away `rates` of the rows in `set`; nothing where it is not defined.
     pub fn against(&self, rates: &Few<R>, set: usize) -> Option<Few<R>> {
-        solved(&self.matrix, rates, &self.yields(), self.count(), set)
+        solved(&self.matrix, rates, self.gaps, self.count(), set)
     }
 
     /// One entry of G x.
@@ -324,28 +328,61 @@ impl<R: Real> Rub<R> {
     }
 }
 
-/// What is added to each diagonal where rows may repeat each other, and each stands for itself.
-pub(super) fn by_themselves<R: Real>(matrix: &[Few<R>; ROWS]) -> Few<R> {
-    core::array::from_fn(|row| matrix.get(row).map_or(R::ZERO, |entries| at(entries, row)))
+/// Adds to the block of rows along the axes of the world what they leave out, along the normal at least, as if it moved by itself as much as they
+/// do on average: since nothing acts there, nothing does, but the block is regular.
+pub(super) fn complete<R: Real>(matrix: &mut [Few<R>; ROWS], row: usize) {
+    let block: [[R; AXES]; AXES] = core::array::from_fn(|i| {
+        core::array::from_fn(|j| matrix.get(row + i).map_or(R::ZERO, |entries| at(entries, row + j)))
+    });
+    let trace = block.iter().enumerate().fold(R::ZERO, |sum, (i, entries)| sum + at(entries, i));
+    let own = if R::any(trace.greater(R::ZERO)) { trace / R::from_f64(AXES as f64) } else { R::ONE };
+    let least = R::from_f64(MOVES).max(R::from_f64(256.0) * R::EPSILON) * own;
+    let mut left: [[R; AXES]; AXES] =
+        core::array::from_fn(|i| core::array::from_fn(|j| if i == j { R::ONE } else { R::ZERO }));
+    let mut moves = block;
+    for _ in 0..AXES {
+        let size = |entries: &[R; AXES]| dot(entries, entries);
+        let first = |most: [R; AXES], entries: &[R; AXES]| {
+            if R::any(size(entries).greater(size(&most))) { *entries } else { most }
+        };
+        let largest = moves.iter().fold([R::ZERO; AXES], first);
+        let length = size(&largest).sqrt();
+        if !R::any(length.greater(least)) {
+            break;
+        }
+        let along = largest.map(|x| x / length);
+        for entries in moves.iter_mut().chain(&mut left) {
+            let part = dot(entries, &along);
+            for (entry, along) in entries.iter_mut().zip(along) {
+                *entry = *entry - part * along;
+            }
+        }
+    }
+    for (i, left) in left.iter().enumerate() {
+        let Some(entries) = matrix.get_mut(row + i) else { continue };
+        for (entry, left) in entries.iter_mut().skip(row).zip(left) {
+            *entry = *entry + own * *left;
+        }
+    }
 }
 
-/// G x = −c of the rows in `set`, the others zero; nothing where G is singular. Rows with some of `yields`, N⁻¹ as G, may repeat each other.
+/// G x = −c of the rows in `set`, the others zero; nothing where G is singular. Rows from `gaps` on may repeat each other.
 pub(super) fn solved<R: Real>(
     matrix: &[Few<R>; ROWS],
     right: &Few<R>,
-    yields: &Few<R>,
+    gaps: usize,
     count: usize,
     set: usize,
 ) -> Option<Few<R>> {
-    let mut x = eliminated(matrix, right, yields, count, set)?;
-    if !(0..count).any(|row| set >> row & 1 == 1 && at(yields, row) != R::ZERO) {
+    let mut x = eliminated(matrix, right, gaps, count, set)?;
+    if set >> gaps == 0 {
         return Some(x);
     }
     for _ in 0..REFINED {
         let left = core::array::from_fn(|row| {
             at(right, row) + matrix.get(row).map_or(R::ZERO, |entries| dot(entries, &x))
         });
-        let more = eliminated(matrix, &left, yields, count, set)?;
+        let more = eliminated(matrix, &left, gaps, count, set)?;
         x = core::array::from_fn(|row| at(&x, row) + at(&more, row));
     }
     Some(x)
@@ -354,14 +391,14 @@ pub(super) fn solved<R: Real>(
 fn eliminated<R: Real>(
     matrix: &[Few<R>; ROWS],
     right: &Few<R>,
-    yields: &Few<R>,
+    gaps: usize,
     count: usize,
     set: usize,
 ) -> Option<Few<R>> {
     let (mut left, mut x) = (*matrix, right.map(|c| -c));
     let yielding = R::from_f64(YIELDING).max(R::from_f64(256.0) * R::EPSILON);
-    for (place, row) in left.iter_mut().enumerate().take(count) {
-        let diagonal = at(row, place) + yielding * at(yields, place);
+    for (place, row) in left.iter_mut().enumerate().take(count).skip(gaps) {
+        let diagonal = at(row, place) * (R::ONE + yielding);
         put(row, place, diagonal);
     }
     let held = |place: usize| place < count && set >> place & 1 == 1;
@@ -369,9 +406,9 @@ fn eliminated<R: Real>(
     for pivot in (0..count).filter(|pivot| held(*pivot)) {
         let row = left.get(pivot).copied()?;
         let diagonal = at(&row, pivot);
-        let whole = matrix.get(pivot).map_or(R::ZERO, |row| at(row, pivot)).abs().max(at(yields, pivot));
+        let whole = matrix.get(pivot).map_or(R::ZERO, |row| at(row, pivot));
         // Written so that a NaN is singular.
-        if !R::any(diagonal.greater(least * whole)) {
+        if !R::any(diagonal.greater(least * whole.abs())) {
             return None;
         }
         for below in (0..count).filter(|below| held(*below) && *below != pivot) {

@@ -76,7 +76,7 @@ where
                 return Err(self.no_jump(i));
             }
         }
-        let Some(impulses) = solved(&matrix, &right, &[R::ZERO; ROWS], count, (1 << count) - 1) else {
+        let Some(impulses) = solved(&matrix, &right, count, count, (1 << count) - 1) else {
             return Err(self.no_jump(first));
         };
         for (impulse, way) in impulses.into_iter().zip(&ways).take(count) {

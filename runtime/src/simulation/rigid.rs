@@ -12,8 +12,8 @@
 //! has no speed; which of both is held from touch to touch. The problems themselves are solved in `complementarity.rs`, impulses and what follows
 //! them are `strike.rs`, where steps are parted is `held.rs`.
 
-use super::along_several::{along_rates, is_first, size, together};
-use super::complementarity::{ROWS, solved};
+use super::along_several::{alone, along_rates, is_first, size, together};
+use super::complementarity::{ROWS, complete, solved};
 use super::sticking::SLOWER;
 use super::strike::SLOW;
 use super::{MechanismDynamics, Simulation};
@@ -145,10 +145,11 @@ where
         let rubbing = all
             .clone()
             .filter(|i| pressed_by(model, *i).is_some_and(|gap| closed(gap) && own(&gap)) && holds(*i));
-        let (mut which, mut count, mut yields) = ([0; ROWS], 0, [R::ZERO; ROWS]);
+        let (mut which, mut count) = ([0; ROWS], 0);
         for (place, i) in which.iter_mut().zip(gaps.clone().filter(own).chain(rubbing)) {
             (*place, count) = (i, count + 1);
         }
+        let gaps = which.iter().take(count).filter(|i| pressed_by(model, **i).is_none()).count();
         let mut ways: [(M::V, M::Lambda, M::Gates); ROWS] =
             core::array::from_fn(|_| (model.zero_v(), model.zero_lambda(), zeros()));
         let (mut matrix, mut right) = ([[R::ZERO; ROWS]; ROWS], [R::ZERO; ROWS]);
@@ -173,17 +174,13 @@ where
             let value = at(free.as_slice(), i) - at(drifts.as_slice(), i) + at(biases.as_slice(), i);
             put(&mut right, column, value);
         }
+        let in_space = |i: usize| pressed_by(model, i).is_some() && is_first(model, i) && !alone(model, i);
+        for (row, _) in rows.enumerate().filter(|(_, i)| in_space(**i)) {
+            complete(&mut matrix, row);
+        }
         // Where what rubs has no solution nothing is known, and the step says so; what only pushes does not where it cannot.
         let without = if rubs { R::from_f64(f64::NAN) } else { R::ZERO };
-        for (row, &i) in rows.enumerate().filter(|(_, i)| pressed_by(model, **i).is_some()) {
-            let rows = (row..count).take_while(|row| together(model, i).any(|j| which.get(*row) == Some(&j)));
-            let own = |row: usize| matrix.get(row).map_or(R::ZERO, |entries| at(entries, row));
-            let (trace, axes) = rows.clone().fold((R::ZERO, R::ZERO), |(sum, n), row| (sum + own(row), n + R::ONE));
-            if is_first(model, i) {
-                rows.for_each(|row| put(&mut yields, row, trace / axes));
-            }
-        }
-        let pressed = solved(&matrix, &right, &yields, count, (1 << count) - 1).unwrap_or([without; ROWS]);
+        let pressed = solved(&matrix, &right, gaps, count, (1 << count) - 1).unwrap_or([without; ROWS]);
         for (force, (way, reaction, one)) in pressed.into_iter().zip(&ways).take(count) {
             forces.axpy(force, one);
             a.axpy(force, way);

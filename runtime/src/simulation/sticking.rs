@@ -12,9 +12,9 @@
 //! is consistent is taken: what sticks before what slides (Pfeiffer and Glocker, *Multibody Dynamics with Unilateral Contacts*, 1996, 5.3).
 
 use super::along_several::{alone, along_rates, begun, is_first, size, together};
-use super::complementarity::{Few, ROWS, by_themselves, solved};
+use super::complementarity::{Few, ROWS, solved};
 use super::rigid::{Held, LEAST, near, sharp, still, strikes};
-use super::strike::{Blow, FURTHER, SLOW};
+use super::strike::{Blow, SLOW};
 use super::ties::{Ties, share};
 use super::{MechanismDynamics, Simulation};
 use crate::clock::Clock;
@@ -39,6 +39,9 @@ const RENEWED: f64 = 1e-3;
 
 /// What is taken where rounding lets a change shrink no more.
 const ROUNDED: f64 = 1e-9;
+
+/// How far something may slide on that is taken to stand, as a part of what counts as no gap.
+const FURTHER: f64 = 1e-3;
 
 /// Into how many pieces a step is parted at most so that methods follow what slides along several directions.
 pub(super) const TURNING: u32 = 512;
@@ -207,7 +210,7 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
         let (mut slopes, mut before) = (self.slopes(place, held, &moved), R::ZERO);
         for pass in 0..PASSES {
             let open = left(held, Some(&slopes.ties), &moved);
-            let change = solved(&slopes.matrix, &open, &by_themselves(&slopes.matrix), count, (1 << count) - 1)?;
+            let change = solved(&slopes.matrix, &open, 0, count, (1 << count) - 1)?;
             let mut forces = moved.forces.clone();
             for (force, change) in forces.as_mut_slice().iter_mut().zip(change) {
                 *force = *force + change;
@@ -417,7 +420,7 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
                 let open = core::array::from_fn(|j| {
                     at(moved.bends.as_slice(), j) - yielding.get(j).map_or(R::ZERO, |row| dot(row, &own))
                 });
-                let forces = begun(&yielding, &open, &by_themselves(&yielding), set, force)?;
+                let forces = begun(&yielding, &open, set, force)?;
                 for j in together(model, i) {
                     let way = -at(&forces, j) / force;
                     most = most.max((way - at(held.ways.as_slice(), j)).abs());
@@ -480,7 +483,7 @@ where
             // What a method leaves of the rates of what sticks is taken back, along the way of an impulse.
             let rates = strikes(model, time, &state.q, &state.v).rates;
             let off = core::array::from_fn(|i| at(rates.as_slice(), i));
-            let back = solved(&yielding, &off, &by_themselves(&yielding), count, firm).unwrap_or([R::ZERO; ROWS]);
+            let back = solved(&yielding, &off, 0, count, firm).unwrap_or([R::ZERO; ROWS]);
             for (along, way) in back.iter().zip(&slopes.ways) {
                 state.v.axpy(*along, way);
             }

@@ -47,7 +47,7 @@ pub(super) struct Blow<R> {
 pub(super) const SLOW: f64 = 1000.0;
 
 /// How far something may slide on that is taken to stand, as a part of what counts as no gap.
-pub(super) const FURTHER: f64 = 1e-3;
+const FURTHER: f64 = 1e-6;
 
 /// What is left of ẇ where others hold what slides, as a part of what friction makes of it.
 const TIED: f64 = 1e-9;
@@ -175,7 +175,7 @@ where
         });
         let near = still_near.fold(0, |set, (place, _)| set | 1 << place);
         let likely = self.as_before(&touching);
-        let Some(found) = settled(&mut touching.problem, &rates, &bends, near, likely) else {
+        let Some((found, stopped)) = settled(&mut touching.problem, &rates, &bends, near, likely) else {
             return Err(self.no_impact(&touching));
         };
         let slow = R::from_f64(SLOW) * still;
@@ -191,15 +191,17 @@ where
             put(&mut off, place, gap);
         }
         for (rub, way) in touching.problem.rubbing().zip(&found.ways) {
-            let holds = held >> rub.pressed & 1 == 1 && *way == Way::Open;
+            let presses = held >> rub.pressed & 1 == 1;
+            let stands = *way == Way::Open || stopped >> rub.row & 1 == 1;
             for (axis, place) in rub.rows().enumerate() {
                 let i = touching.at(place);
                 put(gates.as_mut_slice(), i, at(&found.forces, place));
                 put(now.ways.as_mut_slice(), i, way.along(axis));
-                held |= usize::from(holds) << place;
+                held |= usize::from(presses && stands) << place;
             }
             if rub.axes > 1 && *way != Way::Open {
-                let (first, speed) = (touching.at(rub.row), rub.size(&rates));
+                let first = touching.at(rub.row);
+                let speed = if stands { R::ZERO } else { rub.size(&rates) };
                 put(now.speeds.as_mut_slice(), first, speed);
                 let bent = touching.problem.rates(&rub, &found.forces, &bends);
                 let braked = rub.size(&found.forces) * touching.problem.trace(&rub);
@@ -364,7 +366,7 @@ where
                 put(row, column, at(moved.as_slice(), j) - at(drifts.as_slice(), j));
             }
         }
-        Touching { which, ways, problem: Problem { matrix, gaps, rubs } }
+        Touching { which, ways, problem: Problem { matrix, gaps, rubs }.completed() }
     }
 
     /// The column of W of one contact.
@@ -543,28 +545,34 @@ impl<R: Real, V> Touching<R, V> {
     }
 }
 
-/// The forces and ways of what rests, and of what slides with these rates; what is as good as at rest may go any way.
+/// The forces and ways of what rests, and of what slides with these rates; what comes to rest and is as good as there may go any way, and its
+/// rows are marked.
 fn settled<R: Real>(
     problem: &mut Problem<R>,
     rates: &Few<R>,
     bends: &Few<R>,
     near: usize,
     likely: Option<Trial<R>>,
-) -> Option<Found<R>> {
+) -> Option<(Found<R>, usize)> {
     let likely = likely.filter(|trial| trial.set & !near == 0);
     let found = problem.complementary(bends, &[R::ZERO; ROWS], near, likely)?;
-    let mut stopped = false;
+    let mut stopped = 0_usize;
     for place in 0..RIGID_TOUCHING {
         let Some(Some(rub)) = problem.rubs.get(place).copied() else { continue };
         let slides = rub.axes > 1 && rub.way != Way::Open;
-        if slides && R::any(rub.size(rates).less_equal(stop(problem, &rub, &found.forces, bends))) {
+        let slows = dot(&rub.own(rates), &problem.rates(&rub, &found.forces, bends)) < R::ZERO;
+        let speed = rub.size(rates);
+        if slides && slows && R::any(speed.less_equal(stop(problem, &rub, &found.forces, bends))) {
             if let Some(Some(rub)) = problem.rubs.get_mut(place) {
                 rub.way = Way::Open;
             }
-            stopped = true;
+            stopped = rub.rows().fold(stopped, |rows, row| rows | 1 << row);
         }
     }
-    if stopped { problem.complementary(bends, &[R::ZERO; ROWS], near, None) } else { Some(found) }
+    if stopped == 0 {
+        return Some((found, 0));
+    }
+    problem.complementary(bends, &[R::ZERO; ROWS], near, None).map(|found| (found, stopped))
 }
 
 /// The speed √(a d) of what slides along several directions with which it gets no further than d before it stands, if friction stops it

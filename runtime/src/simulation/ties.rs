@@ -1,6 +1,6 @@
 //! Joints that stick and are held by others that do.
 
-use super::complementarity::{Few, ROWS, by_themselves, solved};
+use super::complementarity::{Few, ROWS, solved};
 use crate::real::Real;
 use crate::vector::{at, dot, put};
 
@@ -41,7 +41,7 @@ pub(super) fn share<R: Real>(matrix: &[Few<R>; ROWS], firm: usize, t: usize) -> 
         return None;
     }
     let column = core::array::from_fn(|i| matrix.get(i).map_or(R::ZERO, |row| at(row, t)));
-    let mut null = solved(matrix, &column, &by_themselves(matrix), ROWS, firm)?;
+    let mut null = solved(matrix, &column, 0, ROWS, firm)?;
     put(&mut null, t, R::ONE);
     let row = matrix.get(t)?;
     let least = R::from_f64(TIED).max(R::EPSILON.sqrt());

@@ -245,6 +245,7 @@ macro_rules! for_each_in_zoo {
             striking: $crate::zoo_gates::Striking,
             dropping: $crate::zoo_gates::Dropping,
             gripping: $crate::zoo_gates::Gripping,
+            gripping_in_space: $crate::zoo_gates::GrippingInSpace,
             braking: $crate::zoo_dry::Braking,
             braking_in_space: $crate::zoo_dry::BrakingInSpace,
             braking_all_ways: $crate::zoo_dry::BrakingAllWays,

@@ -95,6 +95,40 @@ linkwright::mechanism! {
 }
 
 linkwright::mechanism! {
+    /// A ball on a table that turns askew, a wheel on its rim on a floor that heaves, an arm on the ball, and a bead along a gap, all with dry friction
+    /// where they touch.
+    pub spatial GrippingInSpace {
+        param hold [1] = 0.6;
+        param slide [1] = 0.4;
+        gravity [m/s^2] = (0.5, 0, -9.81);
+        body table { mass [kg] = 5; inertia [kg*m^2] = (0.7, 0.8, 1.2); surface top: plane(table.center, axis = (0.05, 0, 1)); }
+        sphere ball { mass [kg] = 1; radius [m] = 0.1; }
+        body wheel { mass [kg] = 0.8; inertia [kg*m^2] = (0.005, 0.005, 0.009); surface rim: disk_rim(wheel.center, axis = (0, 0, 1), radius [m] = 0.15); }
+        rod arm { mass [kg] = 0.5; length [m] = 0.5; radius [mm] = 30; surface tip: sphere(arm.end, radius [m] = 0.05); }
+        particle bead { mass [kg] = 0.3; }
+        surface floor: plane(ground(0 [m], 0 [m], -0.5 [m] - 0.05 [m]*sin(3 [rad/s]*time)), axis = (0.1, 0, 1));
+        joint axle: revolute(ground(0, 0, 0) [m], table.center, axis = (0.1, 0, 1));
+        joint shoulder: revolute(ground(0.3, 0, 0.6) [m], arm.start, axis = (0, 1, 0));
+        contact rides: between(ball.surface, table.top) = rigid(restitution = 0.3);
+        contact meets: between(arm.tip, ball.surface) = rigid(restitution = 0.4);
+        contact rolls: between(wheel.rim, floor) = rigid(restitution = 0.2);
+        contact drops: gap(bead.center.z + 0.4 [m], slip = bead.center.x + 0.3 [m]*sin(bead.center.y/1 [m] + 2 [rad/s]*time)) = rigid(restitution = 0);
+        friction drags: on(rides) = dry(static = hold, kinetic = slide);
+        friction turns: on(meets) = dry(static = 0.5, kinetic = 0.2);
+        friction grips: on(rolls) = dry(static = 0.5);
+        friction slips: on(drops) = dry(static = 0.3, kinetic = 0);
+        start { ball.center.x [m] = 0.3; ball.center.y [m] = 0.1; ball.center.z [m] = 0.3; ball.center.velocity.y [m/s] = 0.5; axle.angle [rad] = 0; axle.rate [rad/s] = 4;
+                shoulder.angle [deg] = -10; wheel.center.x [m] = 2; wheel.center.y [m] = 0; wheel.center.z [m] = 0; wheel.rate.x [rad/s] = 2;
+                bead.center.x [m] = 0; bead.center.y [m] = 0; bead.center.z [m] = 0.1; bead.center.velocity.y [m/s] = 1; }
+        options { emit = (penalty, projection, null_space); }
+        output pressed [N] = drags.normal + grips.normal;
+        output sliding [m/s] = rides.sliding.y;
+        output taken [W] = power(drags) + power(grips) + power(slips);
+        output turning [W] = power(turns);
+    }
+}
+
+linkwright::mechanism! {
     /// A disk between a plank that swings and a rocker, and a bar on a slope and on something that shakes, all with dry friction where they touch.
     pub planar Gripping {
         param hold [1] = 0.6;

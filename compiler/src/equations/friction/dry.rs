@@ -88,7 +88,10 @@ fn in_contact<'g>(laws: &Laws<'g>, load: &Load) -> LoadTerms<'g> {
     slips(laws, load).into_iter().fold(LoadTerms::none(laws), |sum, slip| {
         let own = forces.by_ref().take(slip.along.len()).collect::<Vec<_>>();
         let along = touching::beside(&slip.normal, own);
-        slip.along.iter().zip(along).fold(sum, |sum, ((slides, _), force)| sum.and(super::along(slides, force)))
+        slip.along
+            .iter()
+            .zip(along)
+            .fold(sum, |sum, ((slides, _), force)| sum.and(super::along(slides, force)))
     })
 }
 
