@@ -14,13 +14,15 @@ use std::collections::BTreeMap;
 
 /// The models mutated: loops with general bodies; slots, slides and loads; time, springs and particles; teeth that give; beams
 /// that bend and shear; in space a loop with a ball and a cross, a chain of all that screws and slides with a particle, a driven loop of
-/// constant-velocity joints, a long tree.
-pub const MODELS: [&str; 9] = [
+/// constant-velocity joints, a long tree; rigid contacts that rub, in the plane and in space.
+pub const MODELS: [&str; 11] = [
     "general_four_bar",
     "quick_return",
     "car_axis",
     "crank",
     "gear_pair",
+    "gripping",
+    "gripping_in_space",
     "jack",
     "shafts",
     "sheared",
@@ -28,7 +30,7 @@ pub const MODELS: [&str; 9] = [
 ];
 
 /// Functions that the reference judges.
-const JUDGED: [Function; 18] = [
+const JUDGED: [Function; 20] = [
     Function::MassMatrix,
     Function::Constraints,
     Function::ConstraintJacobian,
@@ -38,6 +40,8 @@ const JUDGED: [Function; 18] = [
     Function::KineticEnergy,
     Function::PotentialEnergy,
     Function::Powers,
+    Function::Guards,
+    Function::Strikes,
     Function::Acceleration,
     Function::AccelerationBaumgarte,
     Function::NullSpace,

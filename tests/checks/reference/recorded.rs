@@ -87,6 +87,7 @@ impl State {
             v: list("v"),
             inputs: list("inputs"),
             internal: values.get("z").map_or(Vec::new(), numbers),
+            gates: values.get("gates").map_or(Vec::new(), numbers),
             two_alpha: 3.0,
             beta_squared: 5.0,
             ..Inputs::default()
@@ -223,6 +224,9 @@ fn entries(
             }
         }
     }
+    if let Some(difference) = touching(state, inputs, evaluate) {
+        return Some(difference);
+    }
     for (name, function) in [("kinetic", Function::KineticEnergy), ("potential", Function::PotentialEnergy)] {
         let pair = state.list(name);
         let found = evaluate(function, inputs)[0];
@@ -265,6 +269,26 @@ fn entries(
         let there = |(row, _): (usize, usize), value: f64| value.abs() > (ENTRY * largest(row)).max(1e-300);
         if let Some((place, value)) = found.iter().find(|(place, value)| there(**place, **value)) {
             return Some(format!("{name}{place:?} is {value:?}, the reference has no entry there"));
+        }
+    }
+    None
+}
+
+/// Gaps and laws of contacts whose gates are held; of rigid ones, and of what rubs there, the rates and their derivatives.
+fn touching(state: &State, inputs: &Inputs, evaluate: &Evaluate) -> Option<String> {
+    let guards = ["gaps", "laws"].map(|name| (name, Function::Guards));
+    let strikes = ["gap_rates", "gap_biases", "restitutions"].map(|name| (name, Function::Strikes));
+    for (which, (name, function)) in guards.into_iter().enumerate().chain(strikes.into_iter().enumerate()) {
+        if state.values.get(name).is_none() {
+            continue;
+        }
+        let (expected, scale) = (state.list(name), state.list(&format!("{name}_scale")));
+        let found = evaluate(function, inputs);
+        let found = found.iter().skip(which * inputs.gates.len());
+        for (index, ((e, f), scale)) in expected.iter().zip(found).zip(scale).enumerate() {
+            if !within(e - f, ENTRY * scale) {
+                return Some(format!("{name}[{index}] is {f:?}, the reference says {e:?}"));
+            }
         }
     }
     None
