@@ -60,6 +60,12 @@ def gates(definition):
     return [(name, which) for name, many in all_of for which in range(many)]
 
 
+def drawn(definition, numbers):
+    """Gates from numbers between 0 and 1: open or closed; where there are rigid contacts, forces."""
+    rigid = any(is_rigid(contact) for contact in definition.get("contacts", []))
+    return numbers if rigid else numbers.round()
+
+
 def axes(definition, contact):
     """How many numbers the sliding of surfaces has at each gap: in space one along each axis of the world."""
     return 3 if definition["kind"] == "spatial" and contact["kind"] == "between" else 1

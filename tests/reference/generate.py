@@ -7,6 +7,7 @@ with `check` but for rounding, unless something is changed afterwards.
 
 import numpy as np
 
+import contacts
 import reference
 from consistent import AbsoluteSystem, System
 from coordinate_set import CoordinateSet
@@ -49,7 +50,7 @@ def draw(rng, own, count):
         "inputs": rng.normal(size=(count, model.u.numel())),
         "phases": rng.normal(size=(count, model.phases.numel())),
         "z": rng.normal(size=(count, model.z.numel())),
-        "gates": rng.uniform(size=(count, model.gates.numel())).round(),
+        "gates": contacts.drawn(model.definition, rng.uniform(size=(count, model.gates.numel()))),
         "efforts": rng.normal(size=(count, model.efforts.numel())),
         "q": pack(linear, angles, turns, remainder),
         "v": rng.normal(size=(count, len(layout.linear) + len(layout.rotations))),

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+import contacts
 import kinds
 from consistent import System
 from coordinate_set import given, symbols
@@ -58,7 +59,7 @@ def draw(rng, own, count):
         "inputs": rng.normal(size=(count, model.u.numel())),
         "phases": rng.normal(size=(count, model.phases.numel())),
         "z": rng.normal(size=(count, model.z.numel())),
-        "gates": rng.uniform(size=(count, model.gates.numel())).round(),
+        "gates": contacts.drawn(model.definition, rng.uniform(size=(count, model.gates.numel()))),
         "efforts": rng.normal(size=(count, model.efforts.numel())),
         "q": q,
         "v": rng.normal(size=(count, layout.sizes()[1])),

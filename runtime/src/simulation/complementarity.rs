@@ -255,7 +255,7 @@ impl<R: Real> Problem<R> {
         let mut right = *right;
         for (rub, way) in self.rubbing().zip(ways) {
             let beside = at(pressed, rub.pressed);
-            for (entries, right) in self.matrix.iter().zip(&mut right) {
+            for (entries, right) in self.matrix.iter().zip(&mut right).take(self.count()) {
                 *right = *right + rub.drag(way, entries) * beside;
             }
         }
@@ -279,7 +279,7 @@ impl<R: Real> Problem<R> {
                 }
                 continue;
             }
-            for entries in &mut matrix {
+            for entries in matrix.iter_mut().take(self.count()) {
                 let folded = at(entries, rub.pressed) + rub.drag(way, entries);
                 put(entries, rub.pressed, folded);
             }
@@ -316,7 +316,7 @@ impl<R: Real> Problem<R> {
 
     /// One entry of G x.
     pub fn row(&self, place: usize, x: &Few<R>) -> R {
-        self.matrix.get(place).map_or(R::ZERO, |row| dot(row, x))
+        self.matrix.get(place).map_or(R::ZERO, |row| along(row, x, self.count()))
     }
 }
 
@@ -379,13 +379,21 @@ pub(super) fn solved<R: Real>(
         return Some(x);
     }
     for _ in 0..REFINED {
-        let left = core::array::from_fn(|row| {
-            at(right, row) + matrix.get(row).map_or(R::ZERO, |entries| dot(entries, &x))
-        });
+        let mut left = *right;
+        for (left, entries) in left.iter_mut().zip(matrix).take(count) {
+            *left = *left + along(entries, &x, count);
+        }
         let more = eliminated(matrix, &left, gaps, count, set)?;
-        x = core::array::from_fn(|row| at(&x, row) + at(&more, row));
+        for (x, more) in x.iter_mut().zip(more).take(count) {
+            *x = *x + more;
+        }
     }
     Some(x)
+}
+
+/// The product of a row and as many numbers.
+fn along<R: Real>(row: &Few<R>, x: &Few<R>, count: usize) -> R {
+    row.iter().zip(x).take(count).fold(R::ZERO, |sum, (entry, x)| entry.mul_add(*x, sum))
 }
 
 fn eliminated<R: Real>(
@@ -395,7 +403,10 @@ fn eliminated<R: Real>(
     count: usize,
     set: usize,
 ) -> Option<Few<R>> {
-    let (mut left, mut x) = (*matrix, right.map(|c| -c));
+    let (mut left, mut x) = (*matrix, [R::ZERO; ROWS]);
+    for (x, c) in x.iter_mut().zip(right).take(count) {
+        *x = -*c;
+    }
     let yielding = R::from_f64(YIELDING).max(R::from_f64(256.0) * R::EPSILON);
     for (place, row) in left.iter_mut().enumerate().take(count).skip(gaps) {
         let diagonal = at(row, place) * (R::ONE + yielding);
@@ -414,14 +425,15 @@ fn eliminated<R: Real>(
         for below in (0..count).filter(|below| held(*below) && *below != pivot) {
             let target = left.get_mut(below)?;
             let factor = at(target, pivot) / diagonal;
-            for (entry, above) in target.iter_mut().zip(&row).take(count) {
+            // What is before the pivot is zero, or not solved for.
+            for (entry, above) in target.iter_mut().zip(&row).take(count).skip(pivot) {
                 *entry = *entry - factor * *above;
             }
             let value = at(&x, below) - factor * at(&x, pivot);
             put(&mut x, below, value);
         }
     }
-    for place in 0..ROWS {
+    for place in 0..count {
         let value = match left.get(place) {
             Some(row) if held(place) => at(&x, place) / at(row, place),
             _ => R::ZERO,
