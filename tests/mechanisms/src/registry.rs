@@ -173,11 +173,11 @@ pub fn compiled<M: Model>(coordinates: Option<Coordinates>) -> Compiled {
     compile(tokens, coordinates).expect("the definition was compiled before")
 }
 
-/// Gates as a run may hold them, from numbers in [−1, 1): 0 or 1; of rigid contacts a force that does not pull, N or N m. Events are as gates,
+/// Gates as a run may hold them, from numbers in [−1, 1): 0 or 1; of rigid contacts a force that pushes, N or N m. Events are as gates,
 /// memories any number.
 pub fn gates(mechanism: &Mechanism, mut unit: impl FnMut() -> f64) -> Vec<f64> {
     let gate = |_| match mechanism.is_rigid() {
-        true => (10.0 * unit()).max(0.0),
+        true => 5.0 + 5.0 * unit(),
         false => f64::from(u8::from(unit() > 0.0)),
     };
     let mut held: Vec<f64> = mechanism.gates().map(gate).collect();
