@@ -117,6 +117,30 @@ fn balls_are_counted_by_their_directions() {
 }
 
 #[test]
+fn contacts_in_space_have_a_gate_along_each_axis() {
+    let source = "spatial Floor { gravity [m/s^2] = (0, 0, -9.81); sphere ball { mass [kg] = 1; radius [m] = 0.1; }
+         rod bar { mass [kg] = 1; length [m] = 1; radius [m] = 0.02; surface sole: capsule(bar.start, bar.end, radius [m] = 0.02); }
+         surface floor: plane(ground(0, 0, 0) [m], axis = (0, 0, 1));
+         contact touch: between(ball.surface, floor) = rigid(restitution = 0.5); friction grip: on(touch) = dry(static = 0.3);
+         contact lies: between(bar.sole, floor) = rigid(restitution = 0); friction rub: on(lies) = dry(static = 0.3);
+         contact drops: gap(ball.center.x + 5 [m], slip = ball.center.y) = rigid(restitution = 0); friction drag: on(drops) = dry(static = 0.3);
+         start { ball.center.x [m] = 0; ball.center.y [m] = 0; ball.center.z [m] = 0.2; bar.center.x [m] = 0; bar.center.y [m] = 1; bar.center.z [m] = 0.2; } }";
+    let mechanism = good(source);
+    // Three for the ball, twice as many for both ends of the bar, one along the slip; then those of the gaps.
+    assert_eq!(mechanism.slide_as_one(), [0, 0, 0, 3, 3, 3, 6, 6, 6, 9, 10, 11, 12, 13]);
+    let pressed: Vec<Option<usize>> = mechanism.pressed_by();
+    let by = |gap: usize| [Some(gap); 3];
+    assert_eq!(
+        pressed,
+        [by(10), by(11), by(12)]
+            .concat()
+            .into_iter()
+            .chain([Some(13), None, None, None, None])
+            .collect::<Vec<_>>()
+    );
+}
+
+#[test]
 fn what_is_as_another_is_said_once() {
     let found = bad(&arm("friction rub: on(pin) = dry(static = -0.5, radius [m] = 0.02);"));
     let found: Vec<&str> = found.iter().map(|error| error.message.as_str()).collect();
