@@ -1,13 +1,11 @@
-//! Rigid contacts: against closed forms, by every explicit method, in closed loops; errors that name the contact. Shipped models with them are in
+//! Rigid contacts: against closed forms, by every explicit method (implicit ones are `implicit_rigid.rs`), in closed loops; errors that name the contact. Shipped models with them are in
 //! `published/impacts.rs`.
 
 use linkwright::{
-    Ali3p, Assemble, AssembleExt, AugmentedLagrangian, Baumgarte, DormandPrince, ExplicitTrapezoidal,
-    Formulation, GeneralisedAlpha, ImplicitTrapezoidal, Integrator, LagrangeIndex1, MechanismDynamics,
-    NoInputs, NullSpace, Partitioned, Penalty, Projected, Rk4, SemiImplicitEuler, Simulation,
-    SimulationError, StateOf, Step,
+    Assemble, AssembleExt, AugmentedLagrangian, Baumgarte, DormandPrince, ExplicitTrapezoidal, Formulation,
+    Integrator, LagrangeIndex1, MechanismDynamics, NoInputs, NullSpace, Partitioned, Penalty, Projected, Rk4,
+    SemiImplicitEuler, Simulation, SimulationError, StateOf, Step,
 };
-use linkwright_engine::{Derivatives, Engine};
 
 linkwright::mechanism! {
     planar Bouncing {
@@ -470,24 +468,6 @@ fn what_a_drive_holds_against_a_stop_is_named() {
     close(time, 0.5, 1e-9, "time");
     assert!(text.contains("no impulse parts the rigid `stop` and what touches with it"), "{text}");
     assert_eq!(error.joint(), Some("stop"));
-}
-
-/// Derivatives are to be had of an engine, with which a method can iterate on residuals.
-#[test]
-fn methods_that_iterate_on_residuals_are_refused() {
-    let model = Engine::<Derivatives>::read_with_derivatives(Bouncing::SOURCE).expect("it is well");
-    let start = model.start();
-    macro_rules! refuses {
-        ($($method:expr),*) => { $(
-            let simulation = Simulation::new(&model, start.clone()).formulation(LagrangeIndex1);
-            let simulation = simulation.constant(model.no_inputs()).integrator($method);
-            let error = simulation.step(1e-3).advance().expect_err("it has no place for what presses");
-            assert_eq!(error, SimulationError::RigidByResidual { contact: "stop" });
-            assert!(error.to_string().contains("`stop` is rigid or sticks, and this integrator iterates on residuals"), "{error}");
-            assert_eq!(error.joint(), Some("stop"));
-        )* };
-    }
-    refuses!(ImplicitTrapezoidal::<f64>::default(), GeneralisedAlpha::new(0.8), Ali3p::new(1e8));
 }
 
 /// It bounces ever less, by what the slope makes of gravity alone, and rests in the corner.

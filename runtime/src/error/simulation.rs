@@ -215,9 +215,9 @@ pub enum SimulationError {
         /// The time, s: that of the beginning of the step in which they are sought.
         time: f64,
     },
-    /// An integrator that iterates on residuals was asked to move a mechanism whose contacts are rigid, or whose joints stick.
+    /// An integrator that iterates on residuals was asked to move a mechanism whose joints stick.
     RigidByResidual {
-        /// The first of the contacts.
+        /// The first of the frictions.
         contact: &'static str,
     },
     /// A step near a singular position ended with more kinetic energy than loads, drivers and springs can have brought, or with
@@ -407,7 +407,7 @@ impl Display for SimulationError {
             ),
             SimulationError::RigidByResidual { contact } => write!(
                 f,
-                "`{contact}` is rigid or sticks, and this integrator iterates on residuals, in which forces at rest have no place yet: take an \
+                "`{contact}` sticks, and this integrator iterates on residuals, in which forces of joints that do have no place yet: take an \
                  explicit one, such as `Rk4` or `DormandPrince`"
             ),
             SimulationError::Unresolved { time, row, reciprocal_condition, before, after } => write!(

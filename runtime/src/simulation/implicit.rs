@@ -1,6 +1,7 @@
 //! The mechanism as an implicit integrator sees it: residuals and exact tangents of the equations of motion.
 
 use super::dynamics::{MechanismDynamics, Stage};
+use super::held_rows::HeldRows;
 use crate::assembly::system::subtract_product;
 use crate::formulation::Formulation;
 use crate::input::InputSource;
@@ -36,8 +37,9 @@ where
         level: Level,
     ) -> M::Unknowns {
         let model = self.model;
-        self.watch.unheld |= model.is_rigid();
+        self.watch.unheld |= model.sticks();
         let inputs = self.inputs_at(time, state);
+        let state = &self.at_rest(time, state, &inputs);
         let State { q, v, .. } = state;
         let (mut forces, mut rows) = (model.zero_v(), model.zero_lambda());
         self.model.residual(time, state, &inputs, a, lambda, &mut forces);
@@ -80,6 +82,8 @@ where
         matrix: &mut M::Bordered,
     ) {
         let inputs = self.inputs_at(time, state);
+        // What is closed is so at the beginning of the step, whatever forces are on the way.
+        let (closed, state) = (state, &self.at_rest(time, state, &inputs));
         let (model, State { q, v, .. }) = (self.model, state);
         let (mut stiffness, mut damping) = (model.zero_stiffness(), model.zero_damping());
         model.tangent(time, state, &inputs, a, lambda, &mut stiffness, &mut damping);
@@ -125,22 +129,11 @@ where
             let place = row * size + column;
             put(entries, place, at(entries, place) + value);
         };
-        for (&entry, &(row, column)) in mass.as_slice().iter().zip(model.mass_pattern()) {
-            let (row, column) = (row as usize, column as usize);
-            add(row, column, weights.mass * entry);
-            if row != column {
-                add(column, row, weights.mass * entry);
-            }
-        }
         for (&entry, &(row, column)) in damping.as_slice().iter().zip(model.damping_pattern()) {
             add(row as usize, column as usize, weights.damping * entry);
         }
-        for (&entry, &(row, column)) in rows() {
-            let (row, column) = (n + row as usize, column as usize);
-            add(column, row, entry);
-            if weights.level == Level::Velocity {
-                add(row, column, weights.damping * entry);
-            }
+        for (&entry, &(row, column)) in rows().filter(|_| weights.level == Level::Velocity) {
+            add(n + row as usize, column as usize, weights.damping * entry);
         }
         internal.by_others(weights, first, &mut add);
         let mut friction = model.zero_friction_tangent();
@@ -160,6 +153,24 @@ where
             } else if column >= to_rows {
                 add(row, n + column - to_rows, entry);
             }
+        }
+        // Forces of rigid contacts follow what the others become; only the inertia and the multipliers are on their other side.
+        if M::HOLDS && model.is_rigid() {
+            follow(model, &HeldRows::of(model, time, closed, &inputs, &self.held), entries, size);
+        }
+        let mut add = |row: usize, column: usize, value: R| {
+            let place = row * size + column;
+            put(entries, place, at(entries, place) + value);
+        };
+        for (&entry, &(row, column)) in mass.as_slice().iter().zip(model.mass_pattern()) {
+            let (row, column) = (row as usize, column as usize);
+            add(row, column, weights.mass * entry);
+            if row != column {
+                add(column, row, weights.mass * entry);
+            }
+        }
+        for (&entry, &(row, column)) in rows() {
+            add(column as usize, n + row as usize, entry);
         }
         for row in 0..model.row_count() {
             let own = if idle(row as u16) { R::ONE } else { -weights.compliance };
@@ -192,6 +203,37 @@ where
             pivot,
             state: state.clone(),
         });
+    }
+}
+
+impl<M, R, F, S> MechanismDynamics<'_, M, R, F, S>
+where
+    M: Tangent<R>,
+    R: Real,
+    F: Formulation<R, M>,
+    S: InputSource<R, M>,
+{
+    /// The state with the forces that rigid contacts have there.
+    fn at_rest(&self, time: R, state: &StateOf<M, R>, inputs: &M::Inputs) -> StateOf<M, R> {
+        if !M::HOLDS || !self.model.is_rigid() {
+            return state.clone();
+        }
+        State { gates: self.forces_at_rest(time, state, inputs), ..state.clone() }
+    }
+}
+
+/// Adds to the rows of the forces r what contacts do where these change, −F G⁻¹ Wᵀ r.
+fn follow<R: Real, M: Tangent<R>>(model: &M, held: &HeldRows<R, M::V>, entries: &mut [R], size: usize) {
+    let n = model.velocity_count();
+    for column in 0..size {
+        let of = |row: usize, entries: &[R]| at(entries, row * size + column);
+        let moved = held.forces_against(|row| of(row, entries));
+        for (force, along) in moved.iter().zip(&held.forces).take(held.count) {
+            for (row, along) in along.as_slice().iter().enumerate().take(n) {
+                let value = of(row, entries) + *force * *along;
+                put(entries, row * size + column, value);
+            }
+        }
     }
 }
 

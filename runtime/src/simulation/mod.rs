@@ -12,6 +12,7 @@ mod course;
 mod dynamics;
 mod event;
 mod held;
+mod held_rows;
 mod implicit;
 mod jump;
 mod locate;

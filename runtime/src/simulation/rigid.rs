@@ -103,6 +103,21 @@ impl<G> Held<G> {
     }
 }
 
+/// Which way what slides goes; what does so along several directions as it moves at this state.
+pub(super) fn going<R: Real, M: Mechanism<R>>(
+    model: &M,
+    time: R,
+    state: &StateOf<M, R>,
+    held: &Held<M::Gates>,
+) -> M::Gates {
+    let mut goes = held.ways.clone();
+    if !model.slide_as_one().is_empty() {
+        let rates = strikes(model, time, &state.q, &state.v).rates;
+        along_rates(model, &rates, R::from_f64(SLOW) * still(state.v.as_slice()), &mut goes);
+    }
+    goes
+}
+
 /// The forces of the contacts that are closed at a state, and the acceleration with them; those of others are zero. What is closed and has no
 /// way holds, what has one slides along it. `a` and `lambda` are what `solve` finds without any force of them.
 pub(super) fn press<R, M>(
@@ -130,11 +145,7 @@ where
     let (free, open) = (along(a), (a.clone(), lambda.clone()));
     let [_, sliding] = grips(model);
     let holds = |i: usize| stands(model, &held.ways, i);
-    // What slides along several directions does so as it moves at this state.
-    let mut goes = held.ways.clone();
-    if !model.slide_as_one().is_empty() {
-        along_rates(model, &along(&state.v), R::from_f64(SLOW) * still(state.v.as_slice()), &mut goes);
-    }
+    let goes = going(model, time, state, held);
     let group_of = |i: usize| at(held.groups.as_slice(), i);
     let rubs = !model.pressed_by().is_empty();
     for first in gaps.clone() {

@@ -8,6 +8,7 @@
 use super::Simulation;
 use super::along_several::{alone, is_first, together};
 use super::complementarity::{Few, Found, Problem, RIGID_TOUCHING, ROWS, Rub, Trial, Way};
+use super::held_rows::along;
 use super::rigid::{Held, Strikes, grips, near, pressed_by, stands, still, strikes};
 use crate::error::{SettingError, SimulationError};
 use crate::formulation::Formulation;
@@ -372,15 +373,8 @@ where
     /// The column of W of one contact.
     fn way(&self, contact: usize, store: &M::Store, inputs: &M::Inputs, way: &mut M::V) {
         let (model, time) = (self.model(), self.time());
-        let mut state = self.dynamics.opened(&State { v: model.zero_v(), ..self.run.state.clone() });
-        // Forces are linear in the gate.
-        let (mut none, mut some) = (model.zero_v(), model.zero_v());
-        model.forces(time, &state, inputs, &mut none);
-        let size = none.max_abs().max(R::ONE);
-        put(state.gates.as_mut_slice(), contact, size);
-        model.forces(time, &state, inputs, &mut some);
-        some.axpy(-R::ONE, &none);
-        model.solve(store, &some.scaled(R::ONE / size), &model.zero_lambda(), way, &mut model.zero_lambda());
+        let force = along(model, time, &self.run.state, inputs, contact);
+        model.solve(store, &force, &model.zero_lambda(), way, &mut model.zero_lambda());
     }
 
     /// The rates of all gaps with these velocities.
