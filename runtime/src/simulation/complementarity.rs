@@ -32,6 +32,10 @@ const YIELDING: f64 = 1e-9;
 /// What of a motion along an axis is none, as a part of that of the others.
 const MOVES: f64 = 1e-9;
 
+/// By how much what was so before has to push and hold to be so still without a look at anything else, as a part of what it may: what is about to change
+/// changes.
+const SURE: f64 = 1e-6;
+
 /// How often what that leaves is taken away.
 const REFINED: u32 = 2;
 
@@ -181,26 +185,26 @@ impl<R: Real> Problem<R> {
         let largest = right.iter().fold(R::ZERO, |largest, c| largest.max(c.abs()));
         let nothing = R::from_f64(NOTHING).max(R::from_f64(1000.0) * R::EPSILON) * largest;
         let sets = (0..1_usize << self.gaps).filter(|set| set & !among == 0);
-        let all = sets.flat_map(|set| self.trials(set, pressed));
-        likely.into_iter().chain(all).find_map(|trial| {
+        let all = sets.flat_map(|set| self.trials(set, pressed)).map(|trial| (trial, R::ZERO));
+        let likely = likely.into_iter().map(|trial| (trial, R::from_f64(SURE)));
+        likely.chain(all).find_map(|(trial, sure)| {
             let found = self.found(right, pressed, &trial)?;
             let Found { forces, ways } = &found;
+            let most = forces.iter().fold(R::ZERO, |most, x| most.max(x.abs()));
             let gaps = (0..self.gaps).filter(|place| among >> place & 1 == 1).all(|place| {
                 if trial.set >> place & 1 == 1 {
-                    return at(forces, place) >= R::ZERO;
+                    return at(forces, place) >= sure * most;
                 }
                 self.row(place, forces) + at(right, place) >= -nothing
             });
             let is_consistent = |(rub, way): (Rub<R>, &Way<R>)| match way {
                 Way::Open => {
-                    rub.size(forces) <= rub.holding * (at(forces, rub.pressed) + at(pressed, rub.pressed))
+                    let bound = rub.holding * (at(forces, rub.pressed) + at(pressed, rub.pressed));
+                    rub.size(forces) <= (R::ONE - sure) * bound
                 }
                 // It goes on as it does.
                 _ if rub.way != Way::Open => true,
-                Way::Along(way) => {
-                    let rates = self.rates(&rub, forces, right);
-                    dot(way, &rates) >= -nothing
-                }
+                Way::Along(way) => dot(way, &self.rates(&rub, forces, right)) >= -nothing,
             };
             (gaps && self.rubbing().zip(ways).all(is_consistent)).then_some(found)
         })

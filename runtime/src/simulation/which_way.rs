@@ -70,7 +70,7 @@ pub(super) fn begun<R: Real>(
         if pass >= TRIED && is_far_off(problem, right, pressed, &trial, &forces) {
             return None;
         }
-        if pass % TRIED == 0
+        if pass.is_multiple_of(TRIED)
             && let Some(found) = newton(problem, right, pressed, &trial)
         {
             return Some(found);
@@ -304,7 +304,7 @@ mod tests {
     /// Right sides in the range of the rows: what a push along all coordinates does.
     fn pushed(problem: &Problem<f64>, seed: usize) -> Few<f64> {
         let mut by = [0.0; ROWS];
-        let across = if seed % 2 == 0 { 2.0 } else { 0.3 };
+        let across = if seed.is_multiple_of(2) { 2.0 } else { 0.3 };
         for (place, by) in by.iter_mut().enumerate().take(problem.count()) {
             let part = ((seed * 37 + place * 53) % 97) as f64 / 97.0 - 0.5;
             *by = if place < problem.gaps { -1.0 - part } else { across * part };
