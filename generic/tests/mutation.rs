@@ -240,13 +240,7 @@ macro_rules! judged {
 judged! {
     bent: mechanisms::zoo_beams::Bent, 20,
     bent_in_space: mechanisms::zoo_beams_in_space::BentInSpace, 20,
-    bristly_pairs: mechanisms::zoo_bristles::BristlyPairs, 20,
-    bumping: mechanisms::zoo_contacts::Bumping, 20,
     loose_ball: mechanisms::zoo_loose::LooseBall, 20,
     loose_loop: mechanisms::zoo_loose::LooseLoop, 20,
-    profiled: mechanisms::zoo_profiles::Profiled, 20,
-    rubbing_pairs: mechanisms::zoo_rubbing::RubbingPairs, 20,
-    stiffened: mechanisms::zoo_beams::Stiffened, 20,
-    touching: mechanisms::zoo_contacts::Touching, 20,
     yielding_in_space: mechanisms::zoo_penalties::YieldingInSpace, 20,
 }
