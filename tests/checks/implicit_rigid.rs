@@ -2,7 +2,6 @@
 
 use linkwright::{
     Ali3p, AssembleExt, GeneralisedAlpha, ImplicitTrapezoidal, LagrangeIndex1, Projected, Rk4, Simulation,
-    Vector,
 };
 use linkwright_engine::{Derivatives, Engine};
 
