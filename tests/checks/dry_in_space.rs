@@ -303,6 +303,22 @@ fn a_disk_rolls_round_in_a_circle() {
     }
 }
 
+/// Parameters may say anything.
+#[test]
+fn coefficients_below_zero_are_named() {
+    let engine = read(
+        "planar Puck { param grip [1] = 0.2; gravity [m/s^2] = (0, -9.81); particle puck { mass [kg] = 1; surface foot: point(puck.center); }
+            surface floor: half_plane(line(ground(0, 0) [m], ground(1, 0) [m]));
+            contact lies: between(puck.foot, floor) = rigid(restitution = 0); friction rub: on(lies) = dry(static = grip);
+            start { puck.center.x [m] = 0; puck.center.y [m] = 0.1; } }",
+    );
+    let model = engine.prepared(&[-0.2]).expect("a number");
+    let error =
+        Simulation::new(&model, model.start()).constant(model.no_inputs()).step(1e-2).advance_until(1.0);
+    let text = error.expect_err("it lands").to_string();
+    assert!(text.contains("rub") && text.contains("a coefficient of friction of at least 0"), "{text}");
+}
+
 /// Formulations and methods agree, on a body in tree and in absolute coordinates.
 #[test]
 fn methods_agree() {

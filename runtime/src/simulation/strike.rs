@@ -129,6 +129,16 @@ where
         blow: &mut Blow<R>,
     ) -> Result<(), SimulationError> {
         let (model, time) = (self.model(), self.time());
+        // Parameters may say anything.
+        let is_share = |share: R| R::any(share.greater_equal(R::ZERO));
+        if let Some(rub) =
+            touching.problem.rubbing().find(|rub| !is_share(rub.holding) || !is_share(rub.sliding))
+        {
+            let (what, value) = (self.contact(touching.at(rub.row)), rub.holding.min(rub.sliding).to_f64());
+            return Err(
+                SettingError { what, value, must_be: "a coefficient of friction of at least 0" }.into()
+            );
+        }
         let (before, ways_before) = (self.run.state.gates.clone(), self.dynamics.held.ways.clone());
         let closed = |i: usize| at(before.as_slice(), i) > R::ZERO;
         let rests = |i: usize| match pressed_by(model, i) {
