@@ -259,8 +259,8 @@ pub trait Mechanism<R: Real>: Variables<R> {
     fn sticks(&self) -> bool {
         false
     }
-    /// Of each gate the first of those that slide as one with it, where the surfaces of a joint, or of a contact in space, slide along several directions: what resists them
-    /// is then against the whole sliding, of which each gate has a component; empty where each slides by itself.
+    /// Of each gate the first of those that slide as one with it, where the surfaces of a joint, or of a contact in space, slide along several
+    /// directions: what resists them is then against the whole sliding, of which each gate has a component; empty where each slides by itself.
     #[inline(always)]
     fn slide_as_one(&self) -> &[usize] {
         &[]

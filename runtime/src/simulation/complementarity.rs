@@ -126,6 +126,12 @@ impl<R: Real> Rub<R> {
         let own = self.own(of);
         dot(&own, &own).sqrt()
     }
+
+    /// What one unit of what presses it adds to a row of G by friction that way: −μ_k u·g, g the entries of its rows.
+    pub fn drag(&self, way: &Way<R>, entries: &Few<R>) -> R {
+        let Way::Along(way) = way else { return R::ZERO };
+        -self.sliding * dot(way, &self.own(entries))
+    }
 }
 
 impl<R: Real> Problem<R> {
@@ -215,14 +221,10 @@ impl<R: Real> Problem<R> {
         let presses = |rub: &Rub<R>| set >> rub.pressed & 1 == 1 || at(pressed, rub.pressed) > R::ZERO;
         let choices = self.rubs.map(|rub| rub.filter(presses));
         let of = |rub: &Option<Rub<R>>| match rub {
-            Some(rub) if rub.way == Way::Open => {
-                if rub.axes == 1 {
-                    3
-                } else {
-                    2
-                }
-            }
-            _ => 1,
+            Some(rub) if rub.way != Way::Open => 1,
+            Some(rub) if rub.axes > 1 => 2,
+            Some(_) => 3,
+            None => 1,
         };
         (0..choices.iter().map(of).product()).map(move |mut which: usize| {
             let mut trial = Trial { set, ways: [Way::Open; RIGID_TOUCHING], begins: 0 };
@@ -324,16 +326,8 @@ impl<R: Real> Problem<R> {
     }
 }
 
-impl<R: Real> Rub<R> {
-    /// What of a row of G one unit of what presses it adds by friction that way.
-    pub fn drag(&self, way: &Way<R>, entries: &Few<R>) -> R {
-        let Way::Along(way) = way else { return R::ZERO };
-        -self.sliding * dot(way, &self.own(entries))
-    }
-}
-
-/// Adds to the block of rows along the axes of the world what they leave out, along the normal at least, as if it moved by itself as much as they
-/// do on average: since nothing acts there, nothing does, but the block is regular.
+/// Adds to the block B of the rows along the axes of the world what they leave out, along the normal at least, as if it moved by itself as much as
+/// they do on average: B + tr B/3 (I − P), P the projector on the range of B. Since nothing acts there, nothing moves, but the block is regular.
 pub(super) fn complete<R: Real>(matrix: &mut [Few<R>; ROWS], row: usize) {
     let block: [[R; AXES]; AXES] = core::array::from_fn(|i| {
         core::array::from_fn(|j| matrix.get(row + i).map_or(R::ZERO, |entries| at(entries, row + j)))

@@ -39,7 +39,8 @@ where
         let model = self.model;
         self.watch.unheld |= model.sticks();
         let inputs = self.inputs_at(time, state);
-        let state = &self.at_rest(time, state, &inputs);
+        let at_rest = self.at_rest(time, state, &inputs);
+        let state = at_rest.as_ref().unwrap_or(state);
         let State { q, v, .. } = state;
         let (mut forces, mut rows) = (model.zero_v(), model.zero_lambda());
         self.model.residual(time, state, &inputs, a, lambda, &mut forces);
@@ -83,7 +84,8 @@ where
     ) {
         let inputs = self.inputs_at(time, state);
         // What is closed is so at the beginning of the step, whatever forces are on the way.
-        let (closed, state) = (state, &self.at_rest(time, state, &inputs));
+        let (closed, at_rest) = (state, self.at_rest(time, state, &inputs));
+        let state = at_rest.as_ref().unwrap_or(state);
         let (model, State { q, v, .. }) = (self.model, state);
         let (mut stiffness, mut damping) = (model.zero_stiffness(), model.zero_damping());
         model.tangent(time, state, &inputs, a, lambda, &mut stiffness, &mut damping);
@@ -155,7 +157,7 @@ where
             }
         }
         // Forces of rigid contacts follow what the others become; only the inertia and the multipliers are on their other side.
-        if M::HOLDS && model.is_rigid() {
+        if at_rest.is_some() {
             follow(model, &HeldRows::of(model, time, closed, &inputs, &self.held), entries, size);
         }
         let mut add = |row: usize, column: usize, value: R| {
@@ -213,12 +215,10 @@ where
     F: Formulation<R, M>,
     S: InputSource<R, M>,
 {
-    /// The state with the forces that rigid contacts have there.
-    fn at_rest(&self, time: R, state: &StateOf<M, R>, inputs: &M::Inputs) -> StateOf<M, R> {
-        if !M::HOLDS || !self.model.is_rigid() {
-            return state.clone();
-        }
-        State { gates: self.forces_at_rest(time, state, inputs), ..state.clone() }
+    /// The state with the forces that rigid contacts have there; nothing where there are none.
+    fn at_rest(&self, time: R, state: &StateOf<M, R>, inputs: &M::Inputs) -> Option<StateOf<M, R>> {
+        let is_rigid = M::HOLDS && self.model.is_rigid();
+        is_rigid.then(|| State { gates: self.forces_at_rest(time, state, inputs), ..state.clone() })
     }
 }
 
