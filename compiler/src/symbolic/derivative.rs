@@ -187,6 +187,24 @@ mod tests {
         }
     }
 
+    /// beyond = x − min(max(x, 0), y): its derivative by x is one outside and none within, by one choice.
+    #[test]
+    fn what_is_left_beyond_the_ends_of_a_range_has_one_choice() {
+        let points = [[-0.4, 2.0], [0.7, 2.0], [2.6, 2.0]];
+        check(|x, y| x - x.max(x.g.zero()).min(y), &points);
+        check(|x, y| (-x).max(x.g.zero()).min(y) + x, &points);
+        let graph = Growing::default();
+        let g = graph.sheet();
+        let ([x, y], seed) = unknowns(g);
+        let gradient = g.differentiate(&[(x - x.max(g.zero()).min(y)).bare], &seed).remove(0);
+        let [zero, one] = [g.zero(), g.one()].map(|it| it.bare);
+        let by_x = graph.read().op(gradient[&0]);
+        assert!(
+            matches!(by_x, Op::Select(_, inside, outside) if inside == zero && outside == one),
+            "{by_x:?}"
+        );
+    }
+
     #[test]
     fn min_and_max_have_at_a_tie_the_derivative_of_what_they_return() {
         let graph = Growing::default();

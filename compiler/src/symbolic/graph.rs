@@ -218,6 +218,11 @@ impl Graph {
             let two = self.constant(2.0);
             return self.mul(two, a);
         }
+        for (x, choice) in [(a, b), (b, a)] {
+            if let Some(left) = self.unless_taken(x, choice, true) {
+                return left;
+            }
+        }
         if let Some(sum) = self.collect_terms(a, b, false) {
             return sum;
         }
@@ -261,6 +266,9 @@ impl Graph {
         }
         if a == b {
             return self.constant(0.0);
+        }
+        if let Some(left) = self.unless_taken(a, b, false) {
+            return left;
         }
         if let Some(difference) = self.collect_terms(a, b, true) {
             return difference;
@@ -423,7 +431,54 @@ impl Graph {
         self.intern(Op::Not(a))
     }
     pub fn select(&mut self, mask: Node, then: Node, otherwise: Node) -> Node {
-        if then == otherwise { then } else { self.intern(Op::Select(mask, then, otherwise)) }
+        if then == otherwise {
+            return then;
+        }
+        // What is nothing elsewhere, and nothing elsewhere again: one choice by both masks, which many have in common.
+        let outer = self.taken_if(mask, then, otherwise);
+        let inner = outer.and_then(|(_, choice)| match self.op(choice) {
+            Op::Select(mask, then, otherwise) => self.taken_if(mask, then, otherwise),
+            _ => None,
+        });
+        match (outer, inner) {
+            (Some(((mask, true), _)), Some(((inner, true), x))) => {
+                let both = self.and(mask, inner);
+                let zero = self.constant(0.0);
+                self.intern(Op::Select(both, x, zero))
+            }
+            (Some(((mask, false), _)), Some(((inner, false), x))) => {
+                let one = self.or(mask, inner);
+                let zero = self.constant(0.0);
+                self.intern(Op::Select(one, zero, x))
+            }
+            (Some(((yes, true), _)), Some(((no, false), x)))
+            | (Some(((no, false), _)), Some(((yes, true), x))) => {
+                let not = self.not(no);
+                let both = self.and(yes, not);
+                let zero = self.constant(0.0);
+                self.intern(Op::Select(both, x, zero))
+            }
+            _ => self.intern(Op::Select(mask, then, otherwise)),
+        }
+    }
+
+    /// Of a choice with nothing on one side: the mask and whether it has to be true for the other side, and this.
+    fn taken_if(&self, mask: Node, then: Node, otherwise: Node) -> Option<((Node, bool), Node)> {
+        if self.is_zero(otherwise) {
+            return Some(((mask, true), then));
+        }
+        self.is_zero(then).then_some(((mask, false), otherwise))
+    }
+
+    /// x − (m: x, else 0) = (m: 0, else x), and the other way round; where `is_sum`, x + (m: −x, else 0).
+    fn unless_taken(&mut self, x: Node, choice: Node, is_sum: bool) -> Option<Node> {
+        let Op::Select(mask, then, otherwise) = self.op(choice) else { return None };
+        let is_own = |it: Node| if is_sum { self.op(it) == Op::Neg(x) } else { it == x };
+        match (then, otherwise) {
+            (own, zero) if is_own(own) && self.is_zero(zero) => Some(self.select(mask, zero, x)),
+            (zero, own) if is_own(own) && self.is_zero(zero) => Some(self.select(mask, x, zero)),
+            _ => None,
+        }
     }
 
     /// The number of a table on this graph.

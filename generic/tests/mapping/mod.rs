@@ -3,6 +3,7 @@
 #![allow(dead_code, reason = "each program takes what it needs")]
 
 pub mod beams;
+pub mod relevance;
 pub mod states;
 pub mod truth;
 

@@ -8,6 +8,8 @@ use std::f64::consts::PI;
 
 /// Seconds between states along the motion.
 const APART: f64 = 0.004;
+/// Of internal states that begin at nothing, as bristles do.
+const SMALL: f64 = 1e-3;
 
 /// Uniform in [−1, 1), the same in every run (splitmix64).
 pub struct Random(pub u64);
@@ -65,19 +67,33 @@ where
 /// internal states.
 pub fn scattered<M: Assemble<f64>>(model: &M, spread: f64, random: &mut Random) -> Option<(f64, StateOf<M>)> {
     let start = model.start();
+    let still = State { v: model.zero_v(), ..start };
+    beside(model, &still, [spread * random.unit(), 1.0], random).map(|state| (0.0, state))
+}
+
+/// A state beside another at the start of time: moved by the first at most (m and rad), faster by the second (m/s and rad/s), both as the
+/// mechanism lets it; with other internal states.
+pub fn beside<M: Assemble<f64>>(
+    model: &M,
+    base: &StateOf<M>,
+    [spread, faster]: [f64; 2],
+    random: &mut Random,
+) -> Option<StateOf<M>> {
     let mut shift = model.zero_v();
-    let spread = spread * random.unit();
     shift.as_mut_slice().iter_mut().for_each(|x| *x = spread * random.unit());
-    let mut q = start.q.clone();
-    retract(model.layout(), &start.q, &shift, &mut q);
+    let mut q = base.q.clone();
+    retract(model.layout(), &base.q, &shift, &mut q);
     let q = project_position(model, 0.0, &q).ok()?;
-    let mut wish = model.zero_v();
-    wish.as_mut_slice().iter_mut().for_each(|v| *v = random.unit());
+    let mut wish = base.v.clone();
+    wish.as_mut_slice().iter_mut().for_each(|v| *v += faster * random.unit());
     let v = project_velocity(model, 0.0, &q, &wish).ok()?;
-    let mut z = start.z.clone();
-    z.as_mut_slice().iter_mut().for_each(|z| *z *= 1.0 + 0.5 * random.unit());
-    let state = State { q, v, z, ..start };
-    Some((0.0, State { gates: model.live_gates(0.0, &state), ..state }))
+    let mut z = base.z.clone();
+    z.as_mut_slice().iter_mut().for_each(|z| {
+        let by = random.unit();
+        *z = if *z == 0.0 { SMALL * 100.0_f64.powf(random.unit()) * by } else { *z * (1.0 + 0.5 * by) };
+    });
+    let state = State { q, v, z, ..base.clone() };
+    Some(State { gates: model.live_gates(0.0, &state), ..state })
 }
 
 /// Whether no angle is beyond half a turn: a body's orientation does not say how often it has turned. Angles that are counted come last, each
