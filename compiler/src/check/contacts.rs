@@ -201,7 +201,7 @@ fn elastic(mechanism: &Mechanism, load: &Load) -> Option<(f64, f64, f64)> {
 }
 
 /// Each gap of each contact.
-fn gaps<'m>(mechanism: &'m Mechanism, equations: &Equations) -> Vec<(&'m Load, Jet)> {
+pub fn gaps<'m>(mechanism: &'m Mechanism, equations: &Equations) -> Vec<(&'m Load, Jet)> {
     let (g, symbols) = (equations.graph.sheet(), &equations.symbols);
     let laws = Laws::moving(g, mechanism, symbols, &equations.layout, &equations.kinematics);
     let contacts = mechanism.loads.iter().filter(|load| load.is_contact());
@@ -209,6 +209,6 @@ fn gaps<'m>(mechanism: &'m Mechanism, equations: &Equations) -> Vec<(&'m Load, J
     gaps.map(|(load, gap)| (load, laws.jet(gap).jet)).collect()
 }
 
-fn is_angle(load: &Load) -> bool {
+pub fn is_angle(load: &Load) -> bool {
     matches!(load.on.first(), Some(Subject::Expression(_, way)) if way.fits(crate::units::Dimension::ANGLE))
 }

@@ -287,6 +287,14 @@ pub fn gap_never_changes(name: &str) -> String {
     )
 }
 
+pub fn never_closes(name: &str, least: f64, angle: bool) -> String {
+    let least = if angle { format!("{} rad", number(least)) } else { format!("{} mm", number(1e3 * least)) };
+    format!(
+        "`{name}` never closes: all along the motion its gap stays above {least}. Bring what touches nearer, leave it out, or write \
+         `#[allow(no_effect)]` before it"
+    )
+}
+
 pub fn penetration(name: &str, depth: f64, angle: bool) -> String {
     let depth = if angle { format!("{} rad", number(depth)) } else { format!("{} mm", number(1e3 * depth)) };
     format!(

@@ -20,6 +20,33 @@ fn a_definition_that_uses_all_it_declares_has_none() {
 }
 
 #[test]
+fn contacts_that_the_motion_never_closes() {
+    let of = |x: &str, before: &str, more: &str| {
+        let source = slider_crank(&format!(
+            "surface nose: point(block.center); surface wall: half_plane(line(ground({x}, 0) [m], ground({x}, 1) [m]));
+             {before} contact stop: between(nose, wall) = kelvin_voigt(stiffness [N/m] = 1e4);
+             start {{ base.angle [rad] = 1; block.center.x [m] ~ 0.4; }} {more}"
+        ));
+        let compiled =
+            compile(source.parse().expect("tokens"), None).unwrap_or_else(|errors| panic!("{errors}"));
+        compiled.warnings.iter().map(|warning| warning.message.clone()).collect::<Vec<_>>()
+    };
+    let turns = "expect { rotates = base; }";
+    let found = of("0.6", "", turns);
+    let [message] = &found[..] else { panic!("{found:?}") };
+    let (head, tail) = message.split_once(" mm. ").expect("a length");
+    let (head, least) = head.rsplit_once(' ').expect("a number");
+    assert_eq!(head, "`stop` never closes: all along the motion its gap stays above");
+    assert_eq!(tail, "Bring what touches nearer, leave it out, or write `#[allow(no_effect)]` before it");
+    // The block comes to 0.1 m before the wall, and is looked at in steps.
+    let least: f64 = least.parse().expect("a number");
+    assert!((90.0..=100.0).contains(&least), "{least}");
+    for (x, before, more) in [("0.6", "#[allow(no_effect)]", turns), ("0.499", "", turns), ("0.6", "", "")] {
+        assert_eq!(of(x, before, more), [""; 0], "{x} {before} {more}");
+    }
+}
+
+#[test]
 fn what_nothing_names() {
     for (more, expected) in [
         ("const A [m] = 1;", "nothing names the constant `A`, so it stands for nothing"),

@@ -1,7 +1,7 @@
 //! The expectations of the motion in `expect`, against the motion.
 
 use super::messages::{self, Outside};
-use super::{End, Motion, Range, efforts, sweep};
+use super::{End, Motion, Range, efforts, follow, reach};
 use crate::check::assemble::{Assembly, Point, pins};
 use crate::check::beyond;
 use crate::diagnostics::Diagnostics;
@@ -11,7 +11,8 @@ use crate::model::{
 };
 use std::f64::consts::TAU;
 
-/// Follows the motion if `expect` asks about it; silent where it is as expected. Warns of tables that the motion leaves.
+/// Follows the motion if `expect` asks about it; silent where it is as expected. Warns of tables that the motion leaves, and of contacts that
+/// it never closes.
 pub fn check(
     mechanism: &Mechanism,
     equations: &Equations,
@@ -24,13 +25,15 @@ pub fn check(
     let Some(span) = expected.span() else { return };
     let tables = beyond::asked(mechanism);
     let of_tables: Vec<_> = tables.iter().filter_map(|asked| Some((asked, asked.coordinate()?))).collect();
-    let mut followed = coordinates(expected);
-    let first_of_tables = followed.len();
-    followed.extend(of_tables.iter().map(|(_, coordinate)| (*coordinate).clone()));
-    let motion = match sweep(mechanism, equations, assembly, &followed) {
-        Ok(motion) => motion,
+    let mut watched = coordinates(expected);
+    let first_of_tables = watched.len();
+    watched.extend(of_tables.iter().map(|(_, coordinate)| (*coordinate).clone()));
+    let followed = match follow(mechanism, equations, assembly, &watched) {
+        Ok(followed) => followed,
         Err(unswept) => return errors.error(span, messages::unswept(unswept)),
     };
+    reach::warn(mechanism, equations, assembly, &followed, warnings);
+    let motion = followed.motion;
     for ((asked, _), range) in of_tables.iter().zip(&motion.ranges[first_of_tables..]) {
         asked.warn(mechanism, [range.from, range.to], true, warnings);
     }

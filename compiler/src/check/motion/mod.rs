@@ -9,6 +9,7 @@ mod expected;
 mod linkage;
 mod messages;
 mod path;
+mod reach;
 mod reflected;
 mod sweep;
 
