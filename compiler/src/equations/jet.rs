@@ -135,11 +135,18 @@ impl<'g> Moving<'g> {
         })
     }
 
+    /// What stands still is on the side where the mask is false, so that masks of choices within choices go together.
     pub fn min(&self, other: &Self) -> Self {
+        if self.jet.columns.is_empty() {
+            return Moving::select(other.value().compare(Compare::Less, self.value()), other, self);
+        }
         Moving::select(self.value().compare(Compare::LessEqual, other.value()), self, other)
     }
 
     pub fn max(&self, other: &Self) -> Self {
+        if other.jet.columns.is_empty() {
+            return Moving::select(other.value().compare(Compare::Less, self.value()), self, other);
+        }
         Moving::select(self.value().compare(Compare::LessEqual, other.value()), other, self)
     }
 

@@ -60,14 +60,8 @@ impl<'g> Sheet<'g> {
                 self.each(of(a), &none, |da, _| first * da)
             }
             // As their values: the first where it is strictly the smaller or larger, else the second.
-            Op::Min(a, b) => {
-                let mask = self.on(a).compare(Compare::Less, self.on(b));
-                self.each(of(a), of(b), |da, db| mask.select(da, db))
-            }
-            Op::Max(a, b) => {
-                let mask = self.on(b).compare(Compare::Less, self.on(a));
-                self.each(of(a), of(b), |da, db| mask.select(da, db))
-            }
+            Op::Min(a, b) => self.of_chosen([a, b], [of(a), of(b)]),
+            Op::Max(a, b) => self.of_chosen([b, a], [of(a), of(b)]),
             // atan2(y, x)′ = (x y′ − y x′)/(x² + y²)
             Op::Atan2(y, x) => {
                 let square = self.on(x) * x + self.on(y) * y;
@@ -88,6 +82,18 @@ impl<'g> Sheet<'g> {
                 self.each(of(x), of(y), |dx, dy| by_x * dx + by_y * dy)
             }
         }
+    }
+
+    /// The first of two gradients where the one node is smaller than the other, else the second. What is zero is the second by its mask, so that
+    /// those of choices within choices go together.
+    fn of_chosen(self, [smaller, larger]: [Node; 2], [first, second]: [&Gradient; 2]) -> Gradient {
+        let (smaller, larger) = (self.on(smaller), self.on(larger));
+        let mask = smaller.compare(Compare::Less, larger);
+        let other = larger.compare(Compare::LessEqual, smaller);
+        self.each(first, second, |first, second| match self.is_zero(first.bare) {
+            true => other.select(second, first),
+            false => mask.select(first, second),
+        })
     }
 
     /// A function of two operands' derivatives, in each direction that either has.

@@ -451,13 +451,6 @@ impl Graph {
                 let zero = self.constant(0.0);
                 self.intern(Op::Select(one, zero, x))
             }
-            (Some(((yes, true), _)), Some(((no, false), x)))
-            | (Some(((no, false), _)), Some(((yes, true), x))) => {
-                let not = self.not(no);
-                let both = self.and(yes, not);
-                let zero = self.constant(0.0);
-                self.intern(Op::Select(both, x, zero))
-            }
             _ => self.intern(Op::Select(mask, then, otherwise)),
         }
     }
