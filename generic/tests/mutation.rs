@@ -58,6 +58,13 @@ struct Moment<M: Model> {
     inputs: Vec<f64>,
 }
 
+/// A state that may become a case.
+struct Drawn<M: Model> {
+    moment: Moment<M>,
+    /// By node, how far off it is from a part in the results.
+    distances: Vec<f64>,
+}
+
 /// A state with what the generic solver says of it.
 struct Case<M: Model> {
     moment: Moment<M>,
@@ -117,74 +124,77 @@ impl<'a, M: Model> Judge<'a, M> {
     /// States at which each term that may be changed has a part in what is judged: among many that are drawn, and on from those of them which
     /// come nearest to that.
     fn with_all_terms(&self, random: &mut Random) -> Vec<Moment<M>> {
-        let graph = self.compiled.complete.equations.graph.read();
-        let results = self.judged();
         let terms: BTreeSet<usize> = self.mutations().iter().map(|(node, ..)| node.index()).collect();
-        let distances = |moment: &Moment<M>| {
-            let values = evaluate_with(&graph, &self.needed, &self.symbols(moment, None), None);
-            distances(&graph, &self.needed, &results, &values)
-        };
-        let draw = |base: &StateOf<M>, by: f64, random: &mut Random| {
-            let inputs = M::Inputs::NAMES.iter().map(|_| random.unit()).collect();
-            let state = beside(self.model, base, [by, 2.0 * by], random)?;
-            if !is_within_half_a_turn(self.model, &state) {
-                return None;
-            }
-            let moment = Moment { time: 0.0, state, inputs };
-            let found = distances(&moment);
-            Some((moment, found))
-        };
         let mut seen = vec![0; self.needed.iter().map(|node| node.index() + 1).max().unwrap_or(0)];
-        let note = |seen: &mut Vec<usize>, found: &[f64]| {
-            let has_part = terms.iter().filter(|term| found[**term] <= TIE);
-            has_part.fold(false, |is_new, term| {
+        // Whether any term has not had a part in as many before.
+        let is_wanted = |distances: &[f64], seen: &mut Vec<usize>| {
+            let has_part = terms.iter().filter(|term| distances[**term] <= TIE);
+            has_part.fold(false, |is_wanted, term| {
                 seen[*term] += 1;
-                is_new || seen[*term] <= WANTED
+                is_wanted || seen[*term] <= WANTED
             })
         };
         for case in &self.cases {
-            note(&mut seen, &distances(&case.moment));
+            is_wanted(&self.distances(&case.moment), &mut seen);
         }
         let start = self.model.start();
         let mut taken = Vec::new();
         let mut left = Vec::new();
         for _ in 0..DRAWN {
-            let Some((moment, found)) = draw(&start, SPREAD * FARTHER.powf(random.unit()), random) else {
-                continue;
-            };
-            if note(&mut seen, &found) {
-                taken.push(moment);
-            } else {
-                left.push((moment, found));
+            let by = SPREAD * FARTHER.powf(random.unit());
+            match self.draw(&start, by, random) {
+                Some(drawn) if is_wanted(&drawn.distances, &mut seen) => taken.push(drawn.moment),
+                Some(drawn) => left.push(drawn),
+                None => {}
             }
         }
         for term in terms.iter().copied() {
             if seen[term] >= WANTED {
                 continue;
             }
-            left.sort_by(|(_, a), (_, b)| a[term].total_cmp(&b[term]));
-            let mut reached = Vec::new();
-            for (base, found) in left.iter().take(WANTED).filter(|(_, found)| found[term].is_finite()) {
-                let (mut state, mut distance, mut step) = (base.state.clone(), found[term], SPREAD);
-                for _ in 0..TRIES {
-                    match draw(&state, step, random) {
-                        Some((moment, found)) if found[term] <= TIE => {
-                            reached.push((moment, found));
-                            break;
-                        }
-                        Some((moment, found)) if found[term] < distance => {
-                            (state, distance) = (moment.state, found[term]);
-                        }
-                        _ => step = (0.95 * step).max(LEAST_STEP),
-                    }
+            left.sort_by(|a, b| a.distances[term].total_cmp(&b.distances[term]));
+            for nearest in left.iter().take(WANTED) {
+                if let Some(reached) = self.approach(nearest, term, random) {
+                    is_wanted(&reached.distances, &mut seen);
+                    taken.push(reached.moment);
                 }
-            }
-            for (moment, found) in reached {
-                note(&mut seen, &found);
-                taken.push(moment);
             }
         }
         taken
+    }
+
+    fn distances(&self, moment: &Moment<M>) -> Vec<f64> {
+        let graph = self.compiled.complete.equations.graph.read();
+        let values = evaluate_with(&graph, &self.needed, &self.symbols(moment, None), None);
+        distances(&graph, &self.needed, &self.judged(), &values)
+    }
+
+    fn draw(&self, base: &StateOf<M>, by: f64, random: &mut Random) -> Option<Drawn<M>> {
+        let inputs = M::Inputs::NAMES.iter().map(|_| random.unit()).collect();
+        let state = beside(self.model, base, [by, 2.0 * by], random)?;
+        if !is_within_half_a_turn(self.model, &state) {
+            return None;
+        }
+        let moment = Moment { time: 0.0, state, inputs };
+        Some(Drawn { distances: self.distances(&moment), moment })
+    }
+
+    /// From one state on to others beside it that are nearer to where a term has a part.
+    fn approach(&self, from: &Drawn<M>, term: usize, random: &mut Random) -> Option<Drawn<M>> {
+        let (mut state, mut distance, mut step) = (from.moment.state.clone(), from.distances[term], SPREAD);
+        if distance.is_infinite() {
+            return None;
+        }
+        for _ in 0..TRIES {
+            match self.draw(&state, step, random) {
+                Some(drawn) if drawn.distances[term] <= TIE => return Some(drawn),
+                Some(drawn) if drawn.distances[term] < distance => {
+                    (state, distance) = (drawn.moment.state, drawn.distances[term]);
+                }
+                _ => step = (0.95 * step).max(LEAST_STEP),
+            }
+        }
+        None
     }
 
     /// The values of all symbols at a moment, with v̇ and λ once these are known.
