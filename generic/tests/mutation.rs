@@ -181,7 +181,7 @@ impl<'a, M: Model> Judge<'a, M> {
 
     /// From one state on to others beside it that are nearer to where a term has a part.
     fn approach(&self, from: &Drawn<M>, term: usize, random: &mut Random) -> Option<Drawn<M>> {
-        let (mut state, mut distance, mut step) = (from.moment.state.clone(), from.distances[term], SPREAD);
+        let (mut state, mut distance, mut step) = (from.moment.state, from.distances[term], SPREAD);
         if distance.is_infinite() {
             return None;
         }
