@@ -7,11 +7,11 @@ use crate::diagnostics::{Diagnostics, Lint};
 use crate::equations::Equations;
 use crate::model::Mechanism;
 
-/// Of a gap that ever changes, m or rad.
+/// m or rad.
 const ROUNDING: f64 = 1e-9;
 
-/// A warning of each contact whose gaps stay open, or as they are, all along a motion that returns to its start. Parameters have their
-/// defaults; what inputs or time decide is not judged.
+/// A warning of each contact whose gaps stay open all along a motion that returns to its start. Parameters have their defaults; gaps that inputs or
+/// time change are not judged.
 pub fn warn(
     mechanism: &Mechanism,
     equations: &Equations,
@@ -23,7 +23,13 @@ pub fn warn(
         return;
     }
     let gaps = contacts::gaps(mechanism, equations);
-    let gaps: Vec<_> = gaps.into_iter().map(|(load, jet)| (load, jet.value)).collect();
+    if gaps.is_empty() {
+        return;
+    }
+    let stands = |drift| equations.graph.sheet().is_zero(drift);
+    let moved: Vec<&str> =
+        gaps.iter().filter(|(_, jet)| !stands(jet.drift)).map(|(load, _)| load.name.text.as_str()).collect();
+    let gaps: Vec<_> = gaps.iter().map(|(load, jet)| (*load, jet.value)).collect();
     let mut point = Point::at_defaults(mechanism, equations, &assembly.phases);
     let ancestry = Ancestry::of(equations, gaps.iter().map(|(_, gap)| *gap));
     let mut along: Vec<Vec<f64>> = vec![Vec::with_capacity(followed.places.len()); gaps.len()];
@@ -35,7 +41,8 @@ pub fn warn(
     for load in mechanism.loads.iter().filter(|load| load.is_contact()) {
         let own = gaps.iter().zip(&along).filter(|((of, _), _)| of.name.text == load.name.text);
         let own: Vec<(_, &Vec<f64>)> = own.map(|((_, gap), along)| (*gap, along)).collect();
-        let is_decided = own.iter().all(|(gap, _)| !equations.takes_inputs(*gap));
+        let is_decided = own.iter().all(|(gap, _)| !equations.takes_inputs(*gap))
+            && !moved.contains(&load.name.text.as_str());
         if own.is_empty() || !is_decided || mechanism.allowed.covers(Lint::NoEffect, load.name.span) {
             continue;
         }
