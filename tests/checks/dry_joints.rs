@@ -2,9 +2,8 @@
 //! explicit method; energy is balanced; the interpreter moves it to the same bits; errors where nothing holds.
 
 use linkwright::{
-    AssembleExt, AugmentedLagrangian, Baumgarte, DormandPrince, ExplicitTrapezoidal, GeneralisedAlpha,
-    LagrangeIndex1, NullSpace, Partitioned, Penalty, Projected, Rk4, SemiImplicitEuler, Simulation,
-    SimulationError, Vector,
+    AssembleExt, AugmentedLagrangian, Baumgarte, DormandPrince, ExplicitTrapezoidal, LagrangeIndex1,
+    NullSpace, Partitioned, Penalty, Projected, Rk4, SemiImplicitEuler, Simulation, SimulationError, Vector,
 };
 use linkwright_engine::{Derivatives, Engine, Numbers};
 use mechanisms::zoo_dry::{Braking, BrakingInSpace, BrakingInSpaceParameters, BrakingInputs};
@@ -354,17 +353,9 @@ fn joints_in_space_are_braked() {
     assert!(changed > 0);
 }
 
-/// Friction that presses harder by itself than it lets go, and methods that cannot.
+/// Friction that presses harder by itself than it lets go.
 #[test]
 fn errors_name_what_sticks() {
-    let engine = Engine::<Derivatives>::read_with_derivatives(FourBar::<f64>::SOURCE).expect("it is good");
-    let error = Simulation::new(&engine, engine.start())
-        .constant(engine.no_inputs())
-        .integrator(GeneralisedAlpha::new(0.8))
-        .step(1e-3)
-        .advance_until(0.1)
-        .expect_err("it iterates on residuals");
-    assert!(matches!(error, SimulationError::RigidByResidual { contact: "drum" }), "{error:?}");
     let model = FourBar::prepare(FourBarParameters { large: 5.0 }).expect("a large pin");
     let error = Simulation::new(&model, FourBar::START).step(1e-3).advance_until(1.0).expect_err("it jams");
     assert!(matches!(error, SimulationError::Locked { friction: "drum", .. }), "{error:?}");

@@ -20,6 +20,7 @@ mod golden;
 mod held;
 mod identities;
 mod implicit;
+mod implicit_dry;
 mod implicit_rigid;
 mod interpreted;
 mod jumps;

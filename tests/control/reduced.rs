@@ -25,8 +25,10 @@ fn reduced_equations_move_the_whole<M: Model>() {
                 return;
             }
             Err(LinearisationError::Assembly(_)) => continue,
-            Err(LinearisationError::Rigid { contact }) => {
-                assert!(model.is_rigid() && contact == model.gate_names()[0], "{name}");
+            Err(
+                LinearisationError::Rigid { contact: gate } | LinearisationError::Sticks { friction: gate },
+            ) => {
+                assert!(model.is_rigid() && gate == model.gate_names()[0], "{name}");
                 return;
             }
             found => found.unwrap_or_else(|error| panic!("{name}: {error}")),

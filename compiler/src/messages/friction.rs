@@ -39,13 +39,6 @@ pub(crate) fn dry_in_c(name: &str) -> String {
     )
 }
 
-pub(crate) fn dry_with_tangent(name: &str) -> String {
-    format!(
-        "derivatives of a motion do not follow the dry friction `{name}` yet, whose forces jump: leave `tangent` out, or write `coulomb`, `lugre` \
-         or `asperity` in place of `dry`"
-    )
-}
-
 pub(crate) fn breakaway_below(most: f64, least: f64, sliding: &str) -> String {
     format!(
         "what holds is less than what slides: the breakaway {sliding}, {}, is below the {sliding} of sliding, {}; write the larger as `breakaway`",

@@ -303,11 +303,6 @@ impl<'d> Lowering<'d> {
                 OptionEntry::ExportC(scalar) => {
                     self.diagnostics.error(scalar.region, messages::dry_in_c(name));
                 }
-                OptionEntry::Emit(words) => {
-                    for word in words.iter().filter(|word| word.text == "tangent") {
-                        self.diagnostics.error(word.region, messages::dry_with_tangent(name));
-                    }
-                }
                 _ => {}
             }
         }

@@ -43,10 +43,6 @@ fn what_is_not_written_is_as_the_other() {
 fn what_is_not_there_yet_is_refused() {
     let with = |statements: &str| arm(&format!("{HOLDS} {statements}"));
     said(
-        &with("options { emit = (tangent); }"),
-        "derivatives of a motion do not follow the dry friction `rub` yet",
-    );
-    said(
         &with("options { export_c = f64; }"),
         "the functions in C take whole steps and do not find when `rub`",
     );

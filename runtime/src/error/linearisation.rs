@@ -59,6 +59,11 @@ pub enum LinearisationError {
         /// The first of them.
         contact: &'static str,
     },
+    /// Joints stick by dry friction, and derivatives do not follow what sticks and slides yet.
+    Sticks {
+        /// The first of the frictions.
+        friction: &'static str,
+    },
     /// The search for an equilibrium ended away from one.
     NoEquilibrium {
         /// The time, s.
@@ -139,6 +144,11 @@ impl Display for LinearisationError {
                 f,
                 "`{contact}` is rigid, and derivatives of a motion do not follow rigid contacts yet: give it a law of its depth, such as \
                  `kelvin_voigt`"
+            ),
+            LinearisationError::Sticks { friction } => write!(
+                f,
+                "`{friction}` sticks, and derivatives of a motion do not follow dry friction in joints yet, whose forces jump: write `coulomb`, \
+                 `lugre` or `asperity` in place of `dry`"
             ),
             LinearisationError::SingularMass { time, pivot, velocity } => write!(
                 f,

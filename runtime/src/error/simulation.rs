@@ -215,11 +215,6 @@ pub enum SimulationError {
         /// The time, s: that of the beginning of the step in which they are sought.
         time: f64,
     },
-    /// An integrator that iterates on residuals was asked to move a mechanism whose joints stick.
-    RigidByResidual {
-        /// The first of the frictions.
-        contact: &'static str,
-    },
     /// A step near a singular position ended with more kinetic energy than loads, drivers and springs can have brought, or with
     /// less than they can have taken.
     Unresolved {
@@ -265,8 +260,7 @@ impl SimulationError {
             SimulationError::Chatter { contact, .. }
             | SimulationError::Inside { contact, .. }
             | SimulationError::Crowded { contact, .. }
-            | SimulationError::NoImpact { contact, .. }
-            | SimulationError::RigidByResidual { contact } => Some(contact),
+            | SimulationError::NoImpact { contact, .. } => Some(contact),
             _ => None,
         }
     }
@@ -404,11 +398,6 @@ impl Display for SimulationError {
                 f,
                 "near t = {time} s no forces go with the dry friction `{friction}` and what rubs with it, whether they stick or slide: friction that \
                  presses harder by itself than it lets go jams, so lower its coefficients or radii"
-            ),
-            SimulationError::RigidByResidual { contact } => write!(
-                f,
-                "`{contact}` sticks, and this integrator iterates on residuals, in which forces of joints that do have no place yet: take an \
-                 explicit one, such as `Rk4` or `DormandPrince`"
             ),
             SimulationError::Unresolved { time, row, reciprocal_condition, before, after } => write!(
                 f,

@@ -29,6 +29,7 @@ pub(crate) use past::past_breakdown;
 pub use penalty::Penalty;
 pub(crate) use penalty::largest_mass;
 pub use projected::Projected;
+pub(crate) use projected::velocities_onto_constraints;
 pub use stabilisation::Stabilisation;
 pub use with_multipliers::WithMultipliers;
 

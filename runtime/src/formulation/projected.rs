@@ -42,8 +42,7 @@ impl<F, R: Real> Projected<F, R> {
     /// Projection after `formulation`, to rounding: 10⁻¹⁴ in double precision.
     pub fn after(formulation: F) -> Self {
         let tolerance = R::from_f64(1e-14).max(R::from_f64(16.0) * R::EPSILON);
-        let weight = R::from_f64(1e10).min(R::ONE / (R::from_f64(100.0) * R::EPSILON));
-        Projected { formulation, weight, tolerance, iterations: 10 }
+        Projected { formulation, weight: weight(), tolerance, iterations: 10 }
     }
 
     /// Positions; returns the iterations made and how far a coordinate moved.
@@ -68,21 +67,46 @@ impl<F, R: Real> Projected<F, R> {
             delta
         })
     }
+}
 
-    /// Velocities, with the factor of a position that is the same but for what was corrected.
-    fn velocity<M: Assemble<R>>(&self, model: &M, store: &M::Store, time: R, state: &mut StateOf<M, R>) {
-        let (mut nu, mut jacobian) = (model.zero_lambda(), model.zero_jacobian());
-        model.nu(time, &state.q, &mut nu);
-        model.constraint_jacobian(time, &state.q, &mut jacobian);
-        for _ in 0..2 {
-            let mut rest = nu.clone();
-            let columns = jacobian.as_slice();
-            subtract_product(model.jacobian_pattern(), columns, state.v.as_slice(), rest.as_mut_slice());
-            let (mut delta, mut multipliers) = (model.zero_v(), model.zero_lambda());
-            model.solve(store, &model.zero_v(), &rest, &mut delta, &mut multipliers);
-            state.v.axpy(R::ONE, &delta);
-        }
+/// c at a position, and the factor with it.
+fn factored<R: Real, M: Assemble<R>>(model: &M, weight: R, time: R, q: &M::Q) -> (R, M::Store) {
+    let compliance = R::ONE / (weight * largest_mass(model, time, q));
+    let mut store = model.store();
+    model.factor(time, q, compliance, &mut store);
+    (compliance, store)
+}
+
+/// Velocities, with the factor of a position that is the same but for what was corrected.
+fn velocity<R: Real, M: Assemble<R>>(model: &M, store: &M::Store, time: R, state: &mut StateOf<M, R>) {
+    let (mut nu, mut jacobian) = (model.zero_lambda(), model.zero_jacobian());
+    model.nu(time, &state.q, &mut nu);
+    model.constraint_jacobian(time, &state.q, &mut jacobian);
+    for _ in 0..2 {
+        let mut rest = nu.clone();
+        let columns = jacobian.as_slice();
+        subtract_product(model.jacobian_pattern(), columns, state.v.as_slice(), rest.as_mut_slice());
+        let (mut delta, mut multipliers) = (model.zero_v(), model.zero_lambda());
+        model.solve(store, &model.zero_v(), &rest, &mut delta, &mut multipliers);
+        state.v.axpy(R::ONE, &delta);
     }
+}
+
+/// Brings velocities to the constraints on the shortest way in the norm of the mass matrix, as [`Projected`] does.
+pub(crate) fn velocities_onto_constraints<R: Real, M: Assemble<R>>(
+    model: &M,
+    time: R,
+    state: &mut StateOf<M, R>,
+) {
+    if model.row_count() > 0 {
+        let (_, store) = factored(model, weight(), time, &state.q);
+        velocity(model, &store, time, state);
+    }
+}
+
+/// α as a multiple of the largest entry of M where nothing else is asked for.
+fn weight<R: Real>() -> R {
+    R::from_f64(1e10).min(R::ONE / (R::from_f64(100.0) * R::EPSILON))
 }
 
 impl<R: Real, M: Assemble<R>, F: Formulation<R, M>> Formulation<R, M> for Projected<F, R> {
@@ -129,11 +153,9 @@ impl<R: Real, M: Assemble<R>, F: Formulation<R, M>> Formulation<R, M> for Projec
         if model.row_count() == 0 {
             return Ok(inner);
         }
-        let compliance = R::ONE / (self.weight * largest_mass(model, time, &state.q));
-        let mut store = model.store();
-        model.factor(time, &state.q, compliance, &mut store);
+        let (compliance, mut store) = factored(model, self.weight, time, &state.q);
         let own = self.position(model, &mut store, compliance, time, &mut state.q)?;
-        self.velocity(model, &store, time, state);
+        velocity(model, &store, time, state);
         Ok(Settled { iterations: inner.iterations + own.iterations, moved: inner.moved.max(own.moved) })
     }
 

@@ -423,7 +423,10 @@ pub(crate) fn check_given<R: Real, M: Assemble<R, Inputs: Fields<R>>>(
 ) -> Result<(), LinearisationError> {
     if model.is_rigid() {
         let contact = model.gate_names().first().copied().unwrap_or(model.name());
-        return Err(LinearisationError::Rigid { contact });
+        return Err(match model.sticks() {
+            true => LinearisationError::Sticks { friction: contact },
+            false => LinearisationError::Rigid { contact },
+        });
     }
     check_finite(time, &[time], |_| Some("time"))?;
     check_finite(time, state.q.as_slice(), |index| model.position_names().get(index).copied())?;

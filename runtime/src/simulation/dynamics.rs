@@ -51,8 +51,8 @@ pub(super) struct Watch<R, S> {
     pub residual: R,
     /// What friction left at the step's beginning.
     pub friction: R,
-    /// Whether a method asked for residuals of a mechanism whose gates are forces.
-    pub unheld: bool,
+    /// Whether a method holds constraints by positions, which leaves velocities off them by what it errs.
+    pub by_positions: bool,
     /// Whether dry friction in joints had no forces that go with its ways.
     pub locked: bool,
     pub stepped_over: u32,
@@ -81,7 +81,7 @@ impl<R: Real, S> Watch<R, S> {
             iterations: 0,
             residual: R::ZERO,
             friction: R::ZERO,
-            unheld: false,
+            by_positions: false,
             locked: false,
             stepped_over: 0,
             worst: None,
@@ -243,9 +243,7 @@ where
         let forces = held.map(|held| {
             state.gates = held;
             let forces = self.pressed(time, state, &inputs, &mut a, &mut lambda);
-            self.watch.locked |= model.sticks()
-                && forces.first_not_finite().is_some()
-                && state.q.first_not_finite().or(state.v.first_not_finite()).is_none();
+            self.watch.locked |= model.sticks() && is_locked::<M, R>(&state.q, &state.v, &forces);
             forces
         });
         // Written so that a NaN is seen.
@@ -337,4 +335,9 @@ where
             self.watch.failure = Some(stage);
         }
     }
+}
+
+/// Whether there are no forces with which joints stick or slide, though the state is one.
+pub(super) fn is_locked<M: Mechanism<R>, R: Real>(q: &M::Q, v: &M::V, forces: &M::Gates) -> bool {
+    forces.first_not_finite().is_some() && q.first_not_finite().or(v.first_not_finite()).is_none()
 }

@@ -1,7 +1,7 @@
-//! Rigid contacts that are closed, as rows beside those of constraints, for what changes the forces that they answer.
+//! Rigid contacts that are closed, and joints that stick, as rows beside those of constraints, for what changes the forces that they answer.
 //!
 //! ```text
-//! F    the forces of a unit of each: Jᵀ of a gap, less what slides in it with it; Jᵀ of what holds
+//! F    the forces of a unit of each: Jᵀ of a gap, less what slides in it with it; Jᵀ of what holds or sticks
 //! W = K⁻¹ [Jᵀ; 0],   G = Wᵀ F,   δλ = −G⁻¹ Wᵀ δQ          K = [M, Dᵀ; D, 0]
 //! ```
 //! δλ is the change of their forces that goes with a change δQ of the others, by what v̇ is with both; how J, K and γ change is left out, so that
@@ -10,6 +10,8 @@
 use super::along_several::{alone, is_first};
 use super::complementarity::{Few, ROWS, complete, solved};
 use super::rigid::{Held, going, grips, pressed_by, stands};
+use super::sticking::sticks;
+use super::ties::Ties;
 use crate::mechanism::{Assemble, Mechanism};
 use crate::real::Real;
 use crate::state::{State, StateOf};
@@ -23,6 +25,8 @@ pub(super) struct HeldRows<R, V> {
     ways: [V; ROWS],
     matrix: [Few<R>; ROWS],
     gaps: usize,
+    /// Those whose forces are found, as bits: what others hold has no motion of its own.
+    firm: usize,
 }
 
 impl<R: Real, V: Vector<R>> HeldRows<R, V> {
@@ -32,14 +36,18 @@ impl<R: Real, V: Vector<R>> HeldRows<R, V> {
     {
         let closed = |i: usize| R::any(at(state.gates.as_slice(), i).greater(R::ZERO));
         let all = || 0..contacts(model);
-        let gaps = all().filter(|i| pressed_by(model, *i).is_none() && closed(*i));
-        let holds = |i: &usize| pressed_by(model, *i).is_some_and(closed) && stands(model, &held.ways, *i);
+        let in_joints = model.sticks();
+        let gaps = all().filter(|i| !in_joints && pressed_by(model, *i).is_none() && closed(*i));
+        let holds = |i: &usize| match in_joints {
+            true => sticks::<R, _>(held, *i),
+            false => pressed_by(model, *i).is_some_and(closed) && stands(model, &held.ways, *i),
+        };
         let (mut which, mut count) = ([0; ROWS], 0);
         for (place, i) in which.iter_mut().zip(gaps.chain(all().filter(holds))) {
             (*place, count) = (i, count + 1);
         }
         let rows = || which.iter().copied().enumerate().take(count);
-        let gaps = rows().filter(|(_, i)| pressed_by(model, *i).is_none()).count();
+        let gaps = rows().filter(|(_, i)| !in_joints && pressed_by(model, *i).is_none()).count();
         let mut store = model.store();
         model.factor(time, &state.q, R::ZERO, &mut store);
         let (goes, [_, sliding]) = (going(model, time, state, held), grips(model));
@@ -66,7 +74,9 @@ impl<R: Real, V: Vector<R>> HeldRows<R, V> {
         for (row, _) in rows().filter(|(_, i)| in_space(*i)) {
             complete(&mut matrix, row);
         }
-        HeldRows { count, forces, ways, matrix, gaps }
+        let all = (1 << count) - 1;
+        let firm = if in_joints { Ties::of(&matrix, all).firm } else { all };
+        HeldRows { count, forces, ways, matrix, gaps, firm }
     }
 
     /// δλ of a change of r = −Q, by its entries; nothing where it is not defined.
@@ -75,7 +85,7 @@ impl<R: Real, V: Vector<R>> HeldRows<R, V> {
         for (right, way) in right.iter_mut().zip(&self.ways).take(self.count) {
             *right = product(way, &change);
         }
-        solved(&self.matrix, &right, self.gaps, self.count, (1 << self.count) - 1).unwrap_or([R::ZERO; ROWS])
+        solved(&self.matrix, &right, self.gaps, self.count, self.firm).unwrap_or([R::ZERO; ROWS])
     }
 }
 

@@ -1,6 +1,6 @@
 //! The mechanism as an implicit integrator sees it: residuals and exact tangents of the equations of motion.
 
-use super::dynamics::{MechanismDynamics, Stage};
+use super::dynamics::{MechanismDynamics, Stage, is_locked};
 use super::held_rows::HeldRows;
 use crate::assembly::system::subtract_product;
 use crate::formulation::Formulation;
@@ -37,9 +37,11 @@ where
         level: Level,
     ) -> M::Unknowns {
         let model = self.model;
-        self.watch.unheld |= model.sticks();
+        self.watch.by_positions = level == Level::Position;
         let inputs = self.inputs_at(time, state);
         let at_rest = self.at_rest(time, state, &inputs);
+        self.watch.locked |=
+            model.sticks() && at_rest.as_ref().is_some_and(|it| is_locked::<M, R>(&it.q, &it.v, &it.gates));
         let state = at_rest.as_ref().unwrap_or(state);
         let State { q, v, .. } = state;
         let (mut forces, mut rows) = (model.zero_v(), model.zero_lambda());
@@ -156,7 +158,7 @@ where
                 add(row, n + column - to_rows, entry);
             }
         }
-        // Forces of rigid contacts follow what the others become; only the inertia and the multipliers are on their other side.
+        // Forces of rigid contacts, and of what sticks, follow what the others become; only the inertia and the multipliers are on their other side.
         if at_rest.is_some() {
             follow(model, &HeldRows::of(model, time, closed, &inputs, &self.held), entries, size);
         }
@@ -215,7 +217,7 @@ where
     F: Formulation<R, M>,
     S: InputSource<R, M>,
 {
-    /// The state with the forces that rigid contacts have there; nothing where there are none.
+    /// The state with the forces that rigid contacts, or what rubs dry in joints, have there; nothing where there are none.
     fn at_rest(&self, time: R, state: &StateOf<M, R>, inputs: &M::Inputs) -> Option<StateOf<M, R>> {
         let is_rigid = M::HOLDS && self.model.is_rigid();
         is_rigid.then(|| State { gates: self.forces_at_rest(time, state, inputs), ..state.clone() })

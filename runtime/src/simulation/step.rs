@@ -139,9 +139,6 @@ where
         let time = self.time();
         self.dynamics.begin(h);
         let stepped = self.integrator.step(&mut self.memory, &mut self.dynamics, time, h, &self.run.state);
-        if self.dynamics.watch.unheld {
-            return Err(SimulationError::RigidByResidual { contact: self.contact(0) });
-        }
         if self.dynamics.watch.locked {
             return Err(SimulationError::Locked { friction: self.contact(0), time: time.to_f64() });
         }

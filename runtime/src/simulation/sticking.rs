@@ -19,7 +19,7 @@ use super::ties::{Ties, share};
 use super::{MechanismDynamics, Simulation};
 use crate::clock::Clock;
 use crate::error::SimulationError;
-use crate::formulation::Formulation;
+use crate::formulation::{Formulation, velocities_onto_constraints};
 use crate::input::InputSource;
 use crate::integrator::Method;
 use crate::mechanism::{Assemble, Mechanism};
@@ -95,7 +95,7 @@ fn count<R: Real, M: Mechanism<R>>(model: &M) -> usize {
     contacts(model).min(ROWS)
 }
 
-fn sticks<R: Real, G: Vector<R>>(held: &Held<G>, i: usize) -> bool {
+pub(super) fn sticks<R: Real, G: Vector<R>>(held: &Held<G>, i: usize) -> bool {
     R::any(at(held.stuck.as_slice(), i).greater(R::ZERO))
 }
 
@@ -443,18 +443,29 @@ where
     F: Formulation<R, M>,
     I: Method<R>,
 {
+    /// The state, with velocities on the constraints. Methods that hold these by positions leave them off by what they err, and joints of a loop would
+    /// not stop at one time by them; their own velocities stay, because taking that back in every step would cost multipliers an order.
+    fn on_constraints(&self) -> StateOf<M, R> {
+        let mut state = self.run.state.clone();
+        if self.dynamics.watch.by_positions {
+            velocities_onto_constraints(self.model(), self.time(), &mut state);
+        }
+        state
+    }
+
     /// What sticks and what slides from here on.
     pub(super) fn stick(&mut self) -> Result<Blow<R>, SimulationError>
     where
         S: InputSource<R, M>,
     {
-        let (model, time, mut state) = (self.model(), self.time(), self.run.state.clone());
-        let inputs = self.dynamics.present_inputs(time, &state);
+        let (model, time, mut state) = (self.model(), self.time(), self.on_constraints());
+        let inputs = self.dynamics.present_inputs(time, &self.run.state);
         let count = count(model);
         // What others hold rests, whatever a method leaves of its rate.
         let tied = |i: &usize| R::any(at(self.dynamics.held.groups.as_slice(), *i).greater(R::ZERO));
         let mut resting = (0..count).filter(tied).fold(0_usize, |set, i| set | 1 << i);
-        let (mut held, moved) = loop {
+        let nothing = [R::ZERO; ROWS];
+        let (mut held, moved, back, ways) = loop {
             let place = Place { time, state: &state, inputs: &inputs };
             let Some((mut held, moved)) = self.dynamics.sought(&place, resting) else {
                 let time = time.to_f64();
@@ -465,7 +476,7 @@ where
             };
             let stuck = sticking::<R, _>(&held, count);
             if stuck == 0 {
-                break (held, moved);
+                break (held, moved, nothing, core::array::from_fn(|_| model.zero_v()));
             }
             let slopes = self.dynamics.slopes(&place, &held, &moved);
             let (yielding, firm) = (self.dynamics.yielding(&place, &slopes.ways), slopes.ties.firm);
@@ -483,11 +494,8 @@ where
             // What a method leaves of the rates of what sticks is taken back, along the way of an impulse.
             let rates = strikes(model, time, &state.q, &state.v).rates;
             let off = core::array::from_fn(|i| at(rates.as_slice(), i));
-            let back = solved(&yielding, &off, 0, count, firm).unwrap_or([R::ZERO; ROWS]);
-            for (along, way) in back.iter().zip(&slopes.ways) {
-                state.v.axpy(*along, way);
-            }
-            break (held, moved);
+            let back = solved(&yielding, &off, 0, count, firm).unwrap_or(nothing);
+            break (held, moved, back, slopes.ways);
         };
         let before = &self.dynamics.held;
         self.dynamics.pace(&Place { time, state: &state, inputs: &inputs }, &mut held, &moved);
@@ -502,6 +510,11 @@ where
         if (0..count).any(differs) {
             // What a method carries from step to step is of the motion before.
             self.memory = self.integrator.memory();
+        } else {
+            state.v.clone_from(&self.run.state.v);
+        }
+        for (along, way) in back.iter().zip(&ways) {
+            state.v.axpy(*along, way);
         }
         state.gates = with_memories(model, moved.forces, &state.gates);
         self.run.state = state;
@@ -528,10 +541,10 @@ where
     where
         S: InputSource<R, M>,
     {
-        let (model, time, state) = (self.model(), self.time(), self.run.state.clone());
+        let inputs = self.dynamics.inputs_within(self.time(), &self.run.state);
+        let (model, time, state) = (self.model(), self.time(), self.on_constraints());
         let zeros = || M::Gates::zeros(model.gate_names().len());
         let (mut guards, rates) = (zeros(), strikes(model, time, &state.q, &state.v).rates);
-        let inputs = self.dynamics.inputs_within(time, &state);
         let held = &self.dynamics.held;
         let all = 0..count(model);
         let moved = all.clone().any(|i| sticks::<R, _>(held, i)).then(|| {
