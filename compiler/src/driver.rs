@@ -162,6 +162,7 @@ pub fn compile_model(
     check::unstiffened(&mechanism, &equations, &solved, &assembly, &mut warnings);
     check::cords(&mechanism, &equations, &solved, &assembly, &mut errors);
     check::contacts(&mechanism, &equations, &assembly, &mut errors, &mut warnings);
+    check::held(&mechanism, &equations, &assembly, &mut errors, &mut warnings);
     let vibration = check::vibration(&mechanism, &equations, &assembly);
     let blows = check::contact_times(&mechanism, &equations, &assembly, &mut errors);
     // AFTER THIS POINT every state has its start.

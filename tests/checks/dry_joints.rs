@@ -5,7 +5,7 @@ use linkwright::{
     AssembleExt, AugmentedLagrangian, Baumgarte, DormandPrince, ExplicitTrapezoidal, LagrangeIndex1,
     NullSpace, Partitioned, Penalty, Projected, Rk4, SemiImplicitEuler, Simulation, SimulationError, Vector,
 };
-use linkwright_engine::{Derivatives, Engine, Numbers};
+use linkwright_engine::{Engine, Numbers};
 use mechanisms::zoo_dry::{Braking, BrakingInSpace, BrakingInSpaceParameters, BrakingInputs};
 
 linkwright::mechanism! {

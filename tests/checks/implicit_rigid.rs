@@ -1,9 +1,30 @@
 //! Rigid contacts under methods that iterate on residuals: the same motions as by explicit methods, their order, and what is stiff.
 
 use linkwright::{
-    Ali3p, AssembleExt, GeneralisedAlpha, ImplicitTrapezoidal, LagrangeIndex1, Projected, Rk4, Simulation,
+    Ali3p, AssembleExt, GeneralisedAlpha, ImplicitTrapezoidal, LagrangeIndex1, Linearisation,
+    LinearisationError, Projected, Rk4, Simulation, Vector,
 };
 use linkwright_engine::{Derivatives, Engine};
+
+linkwright::mechanism! {
+    /// A slider-crank between two stops, of which one slides and rubs.
+    planar Crank {
+        gravity [m/s^2] = (0, -9.81);
+        rod crank { mass [kg] = 1; length [m] = 0.2; }
+        rod coupler { mass [kg] = 1; length [m] = 0.4; surface tip: point(coupler.end); }
+        joint hinge: revolute(ground(0, 0) [m], crank.start);
+        joint pin: revolute(crank.end, coupler.start);
+        surface floor: half_plane(line(ground(0, -0.1) [m], ground(1, -0.1) [m]));
+        contact lands: between(coupler.tip, floor) = rigid(restitution = 0.3);
+        friction rub: on(lands) = dry(static = 0.4, kinetic = 0.3);
+        limit stop: hinge.angle [deg] in -170..100 = rigid(restitution = 0.5);
+        start { hinge.angle [deg] = 60; pin.angle [deg] = -40; }
+        options { emit = (tangent); self_check = on; }
+        output x [m] = coupler.end.x;
+        output y [m] = coupler.end.y;
+        output vx [m/s] = coupler.end.velocity.x;
+    }
+}
 
 #[track_caller]
 fn close(found: f64, expected: f64, within: f64, what: &str) {
@@ -34,19 +55,8 @@ macro_rules! after {
     }};
 }
 
-/// A slider-crank between two stops, of which one slides and rubs.
 fn crank() -> Engine<Derivatives> {
-    read(
-        "planar Crank { gravity [m/s^2] = (0, -9.81);
-            rod crank { mass [kg] = 1; length [m] = 0.2; } rod coupler { mass [kg] = 1; length [m] = 0.4; surface tip: point(coupler.end); }
-            joint hinge: revolute(ground(0, 0) [m], crank.start); joint pin: revolute(crank.end, coupler.start);
-            surface floor: half_plane(line(ground(0, -0.1) [m], ground(1, -0.1) [m]));
-            contact lands: between(coupler.tip, floor) = rigid(restitution = 0.3);
-            friction rub: on(lands) = dry(static = 0.4, kinetic = 0.3);
-            limit stop: hinge.angle [deg] in -170..100 = rigid(restitution = 0.5);
-            start { hinge.angle [deg] = 60; pin.angle [deg] = -40; }
-            output x [m] = coupler.end.x; output y [m] = coupler.end.y; output vx [m/s] = coupler.end.velocity.x; }",
-    )
+    read(Crank::<f64>::SOURCE)
 }
 
 /// Halving the step makes the error a quarter.
@@ -150,4 +160,26 @@ fn projected_steps_touch_too() {
     for (found, exact) in simulation.sample().outputs.as_slice().iter().zip(exact) {
         close(*found, exact, 1e-3, "an output");
     }
+}
+
+/// The macro's code and the interpreter move to the same bits; derivatives, which do not follow what touches, say so.
+#[test]
+fn compiled_code_moves_alike() {
+    let (model, engine) = (Crank::default(), crank());
+    let method = GeneralisedAlpha::new(0.8);
+    let mut simulation = Simulation::new(&model, Crank::START).integrator(method).step(1e-3);
+    let mut other =
+        Simulation::new(&engine, engine.start()).constant(engine.no_inputs()).integrator(method).step(1e-3);
+    let mut impacts = 0;
+    while simulation.time() < 0.5 {
+        impacts += simulation.advance().expect("it moves").impacts;
+        other.advance().expect("it moves");
+    }
+    assert!(impacts >= 2, "{impacts} impacts");
+    assert_eq!(simulation.state().q.as_slice(), other.state().q.as_slice());
+    assert_eq!(simulation.state().v.as_slice(), other.state().v.as_slice());
+    let error = Linearisation::at(&model, 0.0, &Crank::START, &Default::default()).map(|_| ());
+    let error = error.expect_err("it may touch");
+    assert!(matches!(error, LinearisationError::Rigid { contact: "lands" }), "{error:?}");
+    assert!(error.to_string().starts_with("`lands` is rigid"), "{error}");
 }

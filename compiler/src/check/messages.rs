@@ -287,8 +287,35 @@ pub fn gap_never_changes(name: &str) -> String {
     )
 }
 
+/// A gap or depth, rad or mm.
+fn length(size: f64, angle: bool) -> String {
+    if angle { format!("{} rad", number(size)) } else { format!("{} mm", number(1e3 * size)) }
+}
+
+pub fn gap_is_held(name: &str, gap: f64, angle: bool) -> String {
+    format!(
+        "no motion that the joints allow changes the gap of `{name}`, which stays {}: leave it out, touch what moves, or write \
+         `#[allow(no_effect)]` before it",
+        length(gap, angle)
+    )
+}
+
+pub fn never_parts(name: &str) -> String {
+    format!(
+        "`{name}` is closed at the start, and no motion that the joints allow opens it, so that no force of it could be known: leave it out, or \
+         touch what moves"
+    )
+}
+
+pub fn gap_is_driven(name: &str) -> String {
+    format!(
+        "drivers alone decide the gap of `{name}`, and where it closes no impulse of what is rigid stops them: leave it out, give it a law of its \
+         depth, such as `kelvin_voigt`, or write `#[allow(no_effect)]` before it"
+    )
+}
+
 pub fn never_closes(name: &str, least: f64, angle: bool) -> String {
-    let least = if angle { format!("{} rad", number(least)) } else { format!("{} mm", number(1e3 * least)) };
+    let least = length(least, angle);
     format!(
         "`{name}` never closes: all along the motion its gap stays above {least}. Bring what touches nearer, leave it out, or write \
          `#[allow(no_effect)]` before it"
@@ -296,7 +323,7 @@ pub fn never_closes(name: &str, least: f64, angle: bool) -> String {
 }
 
 pub fn penetration(name: &str, depth: f64, angle: bool) -> String {
-    let depth = if angle { format!("{} rad", number(depth)) } else { format!("{} mm", number(1e3 * depth)) };
+    let depth = length(depth, angle);
     format!(
         "at the start `{name}` is closed, by {depth}: it would push apart at once. Begin where it is open, or write \
          `#[allow(penetration)]` before it if what rests there is meant"
@@ -304,7 +331,7 @@ pub fn penetration(name: &str, depth: f64, angle: bool) -> String {
 }
 
 pub fn rigid_inside(name: &str, depth: f64, angle: bool) -> String {
-    let depth = if angle { format!("{} rad", number(depth)) } else { format!("{} mm", number(1e3 * depth)) };
+    let depth = length(depth, angle);
     format!(
         "at the start `{name}` is closed, by {depth}, and what is rigid is never inside: begin where it is open, or just touches"
     )

@@ -352,10 +352,3 @@ pub(crate) fn rigid_and_held(rigid: &str, other: &str) -> String {
          both rigid"
     )
 }
-
-pub(crate) fn rigid_with_tangent(rigid: &str) -> String {
-    format!(
-        "derivatives of a motion do not follow the rigid `{rigid}` yet, whose speeds jump: leave `tangent` out, or give `{rigid}` a law of its \
-         depth, such as `kelvin_voigt`"
-    )
-}

@@ -2,6 +2,7 @@
 
 use crate::{bad, underlined, warnings};
 use linkwright_compiler::compile;
+use linkwright_compiler::diagnostics::{Diagnostic, Lint, Severity};
 use linkwright_compiler::schedule::{Function, count};
 
 /// A ball above a floor, with these statements.
@@ -98,6 +99,73 @@ fn what_never_changes_is_warned_of() {
             .any(|it| it.message.contains("nothing names the surface `spare`, so it touches nothing")),
         "{all}"
     );
+}
+
+/// A crank that moves a block along a rail, with a stop before it, in a position and with more statements.
+fn press(angle: &str, more: &str) -> String {
+    format!(
+        "planar Press {{ rod crank {{ mass [kg] = 1; length [m] = 0.1; }} rod rod_ {{ mass [kg] = 1; length [m] = 0.3; }}
+            body block {{ mass [kg] = 1; inertia [kg*m^2] = 1; point front [m] = (0.05, 0); point low [m] = (0, -0.02);
+                surface face: point(block.front); surface sole: point(block.low); }}
+            joint main: revolute(ground(0, 0) [m], crank.start); joint big: revolute(crank.end, rod_.start);
+            joint wrist: revolute(rod_.end, block.center); joint rail: prismatic(ground(0, 0) [m], block.center, axis = (1, 0));
+            start {{ main.angle [deg] = {angle}; rod_.angle [deg] ~ -10; }} {more} }}"
+    )
+}
+
+/// What is warned of because it has no effect.
+fn without_effect(source: &str) -> Vec<String> {
+    let is_meant = |one: &&Diagnostic| one.severity == Severity::Warning(Lint::NoEffect);
+    compiled(source).warnings.iter().filter(is_meant).map(|one| one.message.clone()).collect()
+}
+
+#[test]
+fn what_joints_hold_is_named() {
+    let floor = |height: &str, law: &str| {
+        let floor =
+            format!("surface floor: half_plane(line(ground(0, {height}) [m], ground(1, {height}) [m])); ");
+        floor
+            + &format!(
+                "contact slides: between(block.sole, floor) = {law}; options {{ coordinates = absolute; }}"
+            )
+    };
+    let rigid = "rigid(restitution = 0.5)";
+    let warned = |more: &str| without_effect(&press("40", more));
+    for law in [rigid, "kelvin_voigt(stiffness [N/m] = 1e4)"] {
+        let expected = "no motion that the joints allow changes the gap of `slides`, which stays 30 mm: leave it out, touch what moves, or write \
+                        `#[allow(no_effect)]` before it";
+        assert_eq!(warned(&floor("-0.05", law)), [expected]);
+    }
+    assert!(warned(&floor("-0.05", rigid).replace("contact", "#[allow(no_effect)] contact")).is_empty());
+    let source = press("40", &floor("-0.02", rigid));
+    let found = compile(source.parse().unwrap(), None).expect_err("it can never part");
+    let expected = "`slides` is closed at the start, and no motion that the joints allow opens it, so that no force of it could be known: leave it \
+                    out, or touch what moves";
+    assert_eq!(found.iter().map(|one| one.message.as_str()).collect::<Vec<_>>(), [expected]);
+}
+
+/// Where the block turns back its gap does not change for a moment, and a wall that time moves is none that stands.
+#[test]
+fn a_stop_at_a_dead_centre_is_one() {
+    let stop = "surface wall: half_plane(line(ground(0.45, 0) [m], ground(0.45, 1) [m])); contact meets: between(block.face, wall) = rigid(restitution = 0.5);";
+    for coordinates in ["absolute", "tree"] {
+        let stop = format!("{stop} options {{ coordinates = {coordinates}; }}");
+        assert!(without_effect(&press("0", &stop)).is_empty(), "{coordinates}");
+        assert!(without_effect(&press("60", &stop)).is_empty(), "{coordinates}");
+        let driven = format!("{stop} drive turn: main.angle = 1 [rad] + 3 [rad/s]*time;");
+        let expected = "drivers alone decide the gap of `meets`, and where it closes no impulse of what is rigid stops them: leave it out, give it a law \
+                        of its depth, such as `kelvin_voigt`, or write `#[allow(no_effect)]` before it";
+        assert_eq!(
+            without_effect(&press("60", &driven).replace("main.angle [deg] = 60;", "")),
+            [expected],
+            "{coordinates}"
+        );
+        let yields = driven.replace("rigid(restitution = 0.5)", "kelvin_voigt(stiffness [N/m] = 1e4)");
+        assert!(
+            without_effect(&press("60", &yields).replace("main.angle [deg] = 60;", "")).is_empty(),
+            "{coordinates}"
+        );
+    }
 }
 
 /// A point on a plane takes at most 25 operations beyond what moves it.

@@ -422,7 +422,10 @@ pub(crate) fn check_given<R: Real, M: Assemble<R, Inputs: Fields<R>>>(
     u: &M::Inputs,
 ) -> Result<(), LinearisationError> {
     if model.is_rigid() {
-        let contact = model.gate_names().first().copied().unwrap_or(model.name());
+        // The gate of a friction is named by the friction.
+        let is_gap = |gate: &usize| model.pressed_by().get(*gate).is_none_or(Option::is_none);
+        let first = (0..model.gate_names().len()).find(is_gap);
+        let contact = first.and_then(|gate| model.gate_names().get(gate)).copied().unwrap_or(model.name());
         return Err(match model.sticks() {
             true => LinearisationError::Sticks { friction: contact },
             false => LinearisationError::Rigid { contact },

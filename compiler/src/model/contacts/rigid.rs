@@ -87,11 +87,6 @@ impl<'d> Lowering<'d> {
                 OptionEntry::ExportC(scalar) => {
                     self.diagnostics.error(scalar.region, messages::rigid_in_c(&rigid.name.text));
                 }
-                OptionEntry::Emit(words) => {
-                    for word in words.iter().filter(|word| word.text == "tangent") {
-                        self.diagnostics.error(word.region, messages::rigid_with_tangent(&rigid.name.text));
-                    }
-                }
                 _ => {}
             }
         }
