@@ -18,6 +18,7 @@ mod gears;
 mod hydraulics;
 mod hysteresis;
 mod impacts;
+mod laws;
 mod linkages;
 mod meshes;
 mod modal;
