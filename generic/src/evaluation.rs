@@ -61,7 +61,10 @@ impl Mechanism {
         if !self.definition.loads.iter().any(|load| matches!(load.acts, Acts::Friction(_))) {
             return Ok(());
         }
-        self.rub(inputs, a, lambda)
+        match self.friction_passes {
+            Some(passes) => self.rub_in_passes(passes, inputs, a, lambda),
+            None => self.rub(inputs, a, lambda),
+        }
     }
 
     /// The same with the friction that the multipliers make, again and again.

@@ -34,6 +34,8 @@ pub(crate) struct Friction {
     /// ε, N.
     pub smallest: f64,
     pub law: Sliding,
+    /// Which of the frictions it is.
+    pub index: usize,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -114,9 +116,18 @@ impl Sliding {
 impl Friction {
     /// N of the multipliers, with the preload; of this alone where there are none yet.
     fn pressed(&self, at: &Kinematics, scratch: &mut Scratch) -> f64 {
+        if let Some(size) = at.sizes.get(self.index) {
+            return self.preload + size;
+        }
         if at.multipliers.is_empty() {
             return self.preload;
         }
+        let size = |vector: V3| dot(vector, vector).sqrt().hypot(self.smallest);
+        self.preload + self.pressing(at, scratch).into_iter().map(size).sum::<f64>()
+    }
+
+    /// The forces of the multipliers whose sizes together press.
+    pub fn pressing(&self, at: &Kinematics, scratch: &mut Scratch) -> Vec<V3> {
         // −Dᵀ λ on the body of the second place, or with the other sign on that of the first.
         let (body, sign) = match self.second.body {
             Some(body) => (body, -1.0),
@@ -134,33 +145,28 @@ impl Friction {
         }
         let to_second = minus(at.point(&self.second).position, at.frame(Some(body)).position);
         let torque = minus(moment, cross(to_second, force));
-        self.preload + self.presses(at, force, torque)
-    }
-
-    fn presses(&self, at: &Kinematics, force: V3, torque: V3) -> f64 {
-        let size = |vector: V3| dot(vector, vector).sqrt().hypot(self.smallest);
         let axis = turned(&at.frame(self.first.body).axes, self.axis);
         let across = |vector: V3| minus(vector, times(dot(axis, vector), axis));
         match self.kind {
-            Kind::Any => size(force),
+            Kind::Any => vec![force],
             Kind::Pin => {
-                let mut sum = size(across(force));
+                let mut pressing = vec![across(force)];
                 if self.shoulder != 0.0 {
-                    sum += size(times(self.shoulder / self.radius, times(dot(axis, force), axis)));
+                    pressing.push(times(self.shoulder / self.radius, times(dot(axis, force), axis)));
                 }
                 if self.length != 0.0 {
-                    sum += size(times(2.0 / self.length, across(torque)));
+                    pressing.push(times(2.0 / self.length, across(torque)));
                 }
-                sum
+                pressing
             }
             Kind::Rail => {
                 let force = across(force);
                 if self.length == 0.0 {
-                    return size(force);
+                    return vec![force];
                 }
                 let couple = times(1.0 / self.length, cross(torque, axis));
                 let half = times(0.5, force);
-                size(plus(half, couple)) + size(minus(half, couple))
+                vec![plus(half, couple), minus(half, couple)]
             }
         }
     }

@@ -109,6 +109,8 @@ pub(crate) struct Kinematics {
     pub internal: Vec<f64>,
     /// λ, which rates of internal states may name; as many as there are rows.
     pub multipliers: Vec<f64>,
+    /// Σ |R| of each friction by reactions where that is given, N, in place of what the multipliers make of it.
+    pub sizes: Vec<f64>,
 }
 
 impl Kinematics {

@@ -91,6 +91,7 @@ mod mechanism;
 mod mesh;
 mod motion;
 mod number;
+mod passes;
 mod penalty;
 mod quantity;
 mod reading;

@@ -7,6 +7,7 @@ use crate::definition::Definition;
 use crate::error::{DefinitionError, Error};
 use crate::kinematics::Kinematics;
 use crate::law::Scratch;
+use crate::load::Acts;
 use crate::motion::Stages;
 use crate::reading::read;
 use crate::row::{Equation, Phase};
@@ -65,6 +66,7 @@ pub struct Mechanism {
     /// Values of parameters that are not their defaults.
     given: HashMap<String, f64>,
     algebra: Algebra,
+    pub(crate) friction_passes: Option<usize>,
     pub(crate) definition: Definition,
     pub(crate) coordinates: Coordinates,
     pub(crate) system: System,
@@ -108,7 +110,12 @@ impl Mechanism {
         given: HashMap<String, f64>,
         algebra: Algebra,
     ) -> Result<Self, DefinitionError> {
-        let definition = read(&tree, &given)?;
+        let mut definition = read(&tree, &given)?;
+        let frictions = definition.loads.iter_mut().filter_map(|load| match &mut load.acts {
+            Acts::Friction(friction) => Some(friction),
+            _ => None,
+        });
+        frictions.enumerate().for_each(|(index, friction)| friction.index = index);
         let coordinates = Coordinates::new(&definition);
         let beams = definition.bodies.iter().map(|body| body.beam.clone()).collect();
         let system = System::new(&definition, &coordinates, algebra).map_err(|_| {
@@ -126,6 +133,7 @@ impl Mechanism {
             tree,
             given,
             algebra,
+            friction_passes: None,
             definition,
             coordinates,
             system,
@@ -202,7 +210,7 @@ impl Mechanism {
                 *new = *old;
             }
         }
-        *self = changed;
+        *self = Mechanism { friction_passes: self.friction_passes, ..changed };
         Ok(())
     }
 

@@ -62,6 +62,7 @@ impl Reader<'_> {
             preload: number("preload")?,
             smallest: self.smallest()?,
             law: sliding,
+            index: 0,
         })
     }
 
