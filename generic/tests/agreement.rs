@@ -63,8 +63,7 @@ where
     let mut mechanisms = [dense, sparse];
 
     let mut random = Random(name.len() as u64);
-    // Teeth in error by metres would be driven through each other.
-    let largest = if name == "meshed" { 1e-5 } else { 1.0 };
+    let largest = mapping::largest_input(name);
     let values: Vec<f64> = M::Inputs::NAMES.iter().map(|_| largest * random.unit()).collect();
     let along = states(name, model, &values, MOMENTS, &mut random);
     let worst = apart(name, model, coordinates, &mut mechanisms, &values, along);

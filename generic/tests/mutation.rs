@@ -44,6 +44,8 @@ struct Judge<'a, M: Model> {
     compiled: &'a Compiled,
     model: &'a M,
     coordinates: &'a str,
+    /// The largest input.
+    largest: f64,
     sources: Vec<Source>,
     /// v̇ and λ, and ż.
     accelerations: Vec<Node>,
@@ -85,15 +87,25 @@ impl<'a, M: Model> Judge<'a, M> {
         let roots = accelerations.iter().chain(&rates).copied();
         let needed = compiled.complete.equations.graph.read().reachable(roots);
         let sources = sources(&compiled.complete);
-        let mut judge =
-            Judge { compiled, model, coordinates, sources, accelerations, rates, needed, cases: Vec::new() };
+        let largest = mapping::largest_input(name);
+        let mut judge = Judge {
+            compiled,
+            model,
+            coordinates,
+            largest,
+            sources,
+            accelerations,
+            rates,
+            needed,
+            cases: Vec::new(),
+        };
         let mut generic =
             Mechanism::from_definition(definition).unwrap_or_else(|error| panic!("{name}: {error}"));
         generic.set_friction_passes(passes);
         let still = vec![0.0; generic.bodies().count()];
         for seed in 0..SEEDS {
             let mut random = Random(seed);
-            let inputs: Vec<f64> = M::Inputs::NAMES.iter().map(|_| random.unit()).collect();
+            let inputs: Vec<f64> = M::Inputs::NAMES.iter().map(|_| largest * random.unit()).collect();
             let mut angles = still.clone();
             let along = if seed == 0 { states(name, model, &inputs, MOMENTS, &mut random) } else { vec![] };
             let scattered = (0..MOMENTS).filter_map(|_| scattered(model, SPREAD, &mut random));
@@ -172,7 +184,7 @@ impl<'a, M: Model> Judge<'a, M> {
     }
 
     fn draw(&self, base: &StateOf<M>, by: f64, random: &mut Random) -> Option<Drawn<M>> {
-        let inputs = M::Inputs::NAMES.iter().map(|_| random.unit()).collect();
+        let inputs = M::Inputs::NAMES.iter().map(|_| self.largest * random.unit()).collect();
         let state = beside(self.model, base, [by, 2.0 * by], random)?;
         if !is_within_half_a_turn(self.model, &state) {
             return None;
@@ -464,6 +476,7 @@ judged! {
     landing: mechanisms::zoo_gates::Landing,
     loose_ball: mechanisms::zoo_loose::LooseBall,
     loose_loop: mechanisms::zoo_loose::LooseLoop,
+    meshed: mechanisms::zoo_gears::Meshed,
     rubbing_beams: mechanisms::zoo_rubbing_beams::RubbingBeams,
     rubbing_bodies: mechanisms::zoo_rubbing::RubbingBodies,
     rubbing_pairs: mechanisms::zoo_rubbing::RubbingPairs,

@@ -38,6 +38,10 @@ pub(crate) fn other_kind(name: &str, kind: &str, expected: &str) -> String {
     format!("`{name}` is {kind}, expected the name of a {expected}")
 }
 
+pub(crate) fn such_as(message: &str, name: &str) -> String {
+    format!("{message}, such as `{name}`")
+}
+
 /// `first` and `last` are names with indices, as `name` is.
 pub(crate) fn unknown_index(name: &str, first: &str, last: &str) -> String {
     format!("no \"{name}\": indices go from \"{first}\" to \"{last}\"")

@@ -160,11 +160,18 @@ impl<'d> Names<'d> {
     }
 
     /// Why a name is not that of a surface.
-    pub fn no_such_surface(&self, name: &str) -> String {
-        if let (Some(part), false) = (self.part(name), name.contains('.')) {
-            return messages::other_kind(name, part.kind(), "surface");
-        }
+    /// `round` says whether a body is one, which has a surface by itself.
+    pub fn no_such_surface(&self, name: &str, round: impl Fn(usize) -> bool) -> String {
         let known = sorted(self.surfaces.keys().copied());
+        if let (Some(part), false) = (self.part(name), name.contains('.')) {
+            let message = messages::other_kind(name, part.kind(), "surface");
+            let first = known.iter().find(|known| known.starts_with(&format!("{name}.")));
+            let own = match part {
+                Part::Body(index) if round(index) => Some(format!("{name}.surface")),
+                _ => first.map(|first| (*first).to_string()),
+            };
+            return own.map_or(message.clone(), |own| messages::such_as(&message, &own));
+        }
         self.unknown("surface", name, messages::closest(name, known.into_iter()))
     }
 

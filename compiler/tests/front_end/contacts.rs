@@ -113,6 +113,21 @@ fn press(angle: &str, more: &str) -> String {
     )
 }
 
+#[test]
+fn a_surface_of_a_body_is_proposed() {
+    let of = |what: &str| {
+        let contact = format!("contact touch: between({what}, floor) = kelvin_voigt(stiffness [N/m] = 1e4);");
+        let arm = "rod arm { mass [kg] = 1; length [m] = 1; surface tip: point(arm.end); surface foot: point(arm.start); } rod bar { mass [kg] = 1; length [m] = 1; }";
+        let found = bad(&ball(1.0, &format!("{arm} {contact}")));
+        found.iter().next().map(|one| one.message.clone()).unwrap_or_default()
+    };
+    let expected =
+        |name: &str, such: &str| format!("`{name}` is a body, expected the name of a surface{such}");
+    assert_eq!(of("ball"), expected("ball", ", such as `ball.surface`"));
+    assert_eq!(of("arm"), expected("arm", ", such as `arm.foot`"));
+    assert_eq!(of("bar"), expected("bar", ""));
+}
+
 /// What is warned of because it has no effect.
 fn without_effect(source: &str) -> Vec<String> {
     let is_meant = |one: &&Diagnostic| one.severity == Severity::Warning(Lint::NoEffect);

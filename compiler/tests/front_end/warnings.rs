@@ -23,7 +23,7 @@ fn a_definition_that_uses_all_it_declares_has_none() {
 fn contacts_that_the_motion_never_closes() {
     let of = |x: &str, before: &str, more: &str| {
         let source = slider_crank(&format!(
-            "surface nose: point(block.center); surface wall: half_plane(line(ground({x}, 0) [m], ground({x}, 1) [m]));
+            "surface nose: point(block.center); surface wall: half_plane(line(ground({x}, 0 [m]), ground({x}, 1 [m])));
              {before} contact stop: between(nose, wall) = kelvin_voigt(stiffness [N/m] = 1e4);
              start {{ base.angle [rad] = 1; block.center.x [m] ~ 0.4; }} {more}"
         ));
@@ -32,7 +32,7 @@ fn contacts_that_the_motion_never_closes() {
         compiled.warnings.iter().map(|warning| warning.message.clone()).collect::<Vec<_>>()
     };
     let turns = "expect { rotates = base; }";
-    let found = of("0.6", "", turns);
+    let found = of("0.6 [m]", "", turns);
     let [message] = &found[..] else { panic!("{found:?}") };
     let (head, tail) = message.split_once(" mm. ").expect("a length");
     let (head, least) = head.rsplit_once(' ').expect("a number");
@@ -41,7 +41,14 @@ fn contacts_that_the_motion_never_closes() {
     // The block comes to 0.1 m before the wall, and is looked at in steps.
     let least: f64 = least.parse().expect("a number");
     assert!((90.0..=100.0).contains(&least), "{least}");
-    for (x, before, more) in [("0.6", "#[allow(no_effect)]", turns), ("0.499", "", turns), ("0.6", "", "")] {
+    let moves = "0.6 [m] + 0.01 [m]*sin(3 [rad/s]*time)";
+    let others = [
+        ("0.6 [m]", "#[allow(no_effect)]", turns),
+        ("0.499 [m]", "", turns),
+        ("0.6 [m]", "", ""),
+        (moves, "", turns),
+    ];
+    for (x, before, more) in others {
         assert_eq!(of(x, before, more), [""; 0], "{x} {before} {more}");
     }
 }

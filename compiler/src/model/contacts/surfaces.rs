@@ -124,10 +124,11 @@ impl<'d> Lowering<'d> {
 
     fn surface_of_body(&mut self, path: &Path) -> Option<Surface> {
         let definition = self.definition;
+        let is_round = |index: usize| matches!(definition.bodies[index].form.word, "sphere" | "disk");
         if let [body, own] = &path.parts[..]
             && own.text == "surface"
             && let Some(Part::Body(index)) = self.names.part(&body.text)
-            && matches!(definition.bodies[index].form.word, "sphere" | "disk")
+            && is_round(index)
         {
             let written = &definition.bodies[index];
             let (_, entry) = written.property("radius")?;
@@ -145,7 +146,7 @@ impl<'d> Lowering<'d> {
             let shape = Shape::Round { place, radius };
             return Some(Surface { shape, text: path.text.clone(), region: path.region });
         }
-        let message = self.names.no_such_surface(&path.text);
+        let message = self.names.no_such_surface(&path.text, is_round);
         self.diagnostics.error(path.region, message);
         None
     }
