@@ -162,7 +162,8 @@ pub(crate) fn static_below_kinetic(most: f64, least: f64) -> String {
 
 pub(crate) fn quantity_of_friction(name: &str, quantities: &[&str]) -> String {
     let quantities: Vec<String> = quantities.iter().map(|quantity| format!("`{name}.{quantity}`")).collect();
-    format!("`{name}` has the quantities {}, and its power is `power({name})`", quantities.join(", "))
+    let word = if quantities.len() == 1 { "quantity" } else { "quantities" };
+    format!("`{name}` has the {word} {}, and its power is `power({name})`", quantities.join(", "))
 }
 
 pub(crate) fn passes_of_friction(found: i64, most: usize) -> String {

@@ -328,7 +328,8 @@ pub(crate) fn too_many(what: &str, count: usize, most: usize, first: &str) -> St
 }
 
 pub(crate) fn negative(what: &str, owner: &str, value: f64, unit: &str) -> String {
-    format!("the {what} of `{owner}` is negative: {value} {unit}; it must be zero or more")
+    let unit = if unit == "1" { String::new() } else { format!(" {unit}") };
+    format!("the {what} of `{owner}` is negative: {value}{unit}; it must be zero or more")
 }
 
 /// Principal moments, ascending.

@@ -383,7 +383,7 @@ fn one_message_for_each_mistake() {
             spatial(
                 "contact touch: between(ball.surface, floor) = 0 [N]; friction grip: on(touch) = coulomb(coefficient = 0.3, speed [m/s] = 0.01); output f [N] = grip.force;",
             ),
-            "`grip` has the quantities `grip.normal`, and its power is `power(grip)`",
+            "`grip` has the quantity `grip.normal`, and its power is `power(grip)`",
         ),
         (
             law("hunt_crossley(force [N] = 1, depth [m] = 1, dissipation [s/m] = 0.5, speed [m/s] = 1)"),
