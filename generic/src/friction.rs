@@ -44,6 +44,10 @@ pub(crate) enum Kind {
     /// What presses is the whole force.
     Any,
     Rail,
+    /// What presses is the force along the axis.
+    Face,
+    /// What presses is the force along the axis, by this factor, and that across it.
+    Thread(f64),
 }
 
 #[derive(Clone, Debug)]
@@ -55,6 +59,8 @@ pub(crate) enum Slip {
         second: Option<usize>,
         axis: usize,
     },
+    /// Quantities that go together, each by a factor.
+    Sum(Vec<(Quantity, f64)>),
 }
 
 #[derive(Clone, Debug)]
@@ -71,15 +77,20 @@ impl Slip {
             Slip::Turn { first, second, axis } => {
                 at.frame(*second).spin[*axis] - at.frame(*first).spin[*axis]
             }
+            Slip::Sum(parts) => parts.iter().map(|(part, by)| by * part.jet(at).along.rate).sum(),
         }
     }
 
-    fn pulls(&self, at: &Kinematics) -> [Pull; 2] {
+    fn pulls(&self, at: &Kinematics) -> Vec<Pull> {
         match self {
-            Slip::Of(quantity) => quantity.jet(at).pulls,
+            Slip::Of(quantity) => quantity.jet(at).pulls.into(),
+            Slip::Sum(parts) => {
+                let of = |(part, by): &(Quantity, f64)| part.jet(at).pulls.map(|pull| pull.scaled(*by));
+                parts.iter().flat_map(of).collect()
+            }
             Slip::Turn { first, second, axis } => {
                 let pull = |body, sign| Pull::on(body, ZERO, times(sign, unit_axis(*axis)));
-                [pull(*first, -1.0), pull(*second, 1.0)]
+                vec![pull(*first, -1.0), pull(*second, 1.0)]
             }
         }
     }
@@ -149,6 +160,8 @@ impl Friction {
         let across = |vector: V3| minus(vector, times(dot(axis, vector), axis));
         match self.kind {
             Kind::Any => vec![force],
+            Kind::Face => vec![times(dot(axis, force), axis)],
+            Kind::Thread(by) => vec![times(by * dot(axis, force), axis), across(force)],
             Kind::Pin => {
                 let mut pressing = vec![across(force)];
                 if self.shoulder != 0.0 {

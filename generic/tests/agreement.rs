@@ -32,6 +32,7 @@ const REFUSED: &[(&str, &str)] = &[
     ("remembering_brakes", "memories and events"),
     ("remembering_impacts", "memories and events"),
     ("rimless_wheel", RIGID),
+    ("rubbed_wire", "friction along a curve"),
     ("rubbing_flexible_block", MODAL),
     ("slider_crank_on_stop", RIGID),
     ("striking", RIGID),

@@ -39,6 +39,7 @@ mod reference;
 mod rigid;
 mod rubbing;
 mod self_check;
+mod sliding_surfaces;
 mod space_convergence;
 mod starts;
 mod tangent;

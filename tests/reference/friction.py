@@ -15,6 +15,7 @@ from expressions import entry, evaluate
 
 KINDS = ("coulomb", "stribeck", "dry", *bristles.KINDS)
 TURNING = ("revolute", "universal", "spherical")
+FACES = ("planar", "point_on_plane")
 SMALLEST = 1e-9  # of the weight
 STANDARD_GRAVITY = 9.80665
 
@@ -54,10 +55,27 @@ def slips(load, kinematics):
     if joint.kind == "spherical":
         relative = kinematics.spin(joint.second.body) - kinematics.spin(joint.first.body)
         return [([(relative[k], one) for k in range(3)], radius)]
+    if joint.kind in FACES:
+        first = kinematics.frames(joint)[0]
+        along = [(kinematics.rate(ca.dot(first[:, k], kinematics.span(joint))), one) for k in (0, 1)]
+        turning = [(kinematics.joint_rate(joint), radius)] if joint.kind == "planar" else []
+        return [(turning + along, one)]
     along = (kinematics.rate(kinematics.travel(joint)), one)
+    if joint.kind == "point_on_curve":
+        slope = kinematics.slope(joint)
+        return [([(ca.dot(slope, kinematics.rate(kinematics.way(joint))) / ca.norm_2(slope), one)], one)]
+    if joint.kind == "screw":
+        lead, whole = thread(load, kinematics, joint)
+        return [([((radius**2 * kinematics.joint_rate(joint) + lead * along[0]) / whole, one)], one)]
     if joint.kind == "cylindrical":
         return [([(kinematics.joint_rate(joint), radius), along], one)]
     return [([along], one)]
+
+
+def thread(load, kinematics, joint):
+    """p and √(r² + p²)."""
+    lead = joint.pitch / (2 * ca.pi)
+    return lead, ca.sqrt(value(load, "radius", kinematics) ** 2 + lead**2)
 
 
 def resisted(load, kinematics, v, z=()):
@@ -146,13 +164,21 @@ def pressing(load, kinematics, force, torque, small):
     length = entry(length, kinematics) if length else None
     if joint.kind in ("universal", "spherical") or kinematics.model.dimension == 2 and joint.kind == "revolute":
         return size(force)
+    if joint.kind == "point_on_curve":
+        slope = kinematics.pose(joint.first.body).turn(kinematics.slope(joint))
+        return size((slope[0] * force[1] - slope[1] * force[0]) / ca.norm_2(slope))
     if kinematics.model.dimension == 2:
         axis = kinematics.pose(joint.first.body).turn(joint.axis)
         across = -axis[1] * force[0] + axis[0] * force[1]
         ends = [across] if length is None else [across / 2 + torque / length, across / 2 - torque / length]
         return sum(size(ca.vertcat(end)) for end in ends)
     axis = next(kinematics.frames(joint))[:, 2]
+    if joint.kind in FACES:
+        return size(ca.dot(axis, force))
     radial = force - ca.dot(axis, force) * axis
+    if joint.kind == "screw":
+        steep = thread(load, kinematics, joint)[1] / value(load, "radius", kinematics)
+        return size(ca.dot(axis, force) * steep) + size(radial)
     if joint.kind == "revolute":
         pressed = size(radial)
         if load.get("shoulder"):

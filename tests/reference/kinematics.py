@@ -7,6 +7,7 @@ Angular quantities: a body's pose is (x, y) of its centre of mass and the pair (
 angles are coordinates of their own, so that at random states they need not agree with the pairs.
 """
 
+import copy
 from dataclasses import dataclass
 
 import casadi as ca
@@ -146,6 +147,13 @@ class Kinematics:
         """The curve's point at the parameter, in the axes of the first's body."""
         own = f"{joint.name}.parameter"
         return ca.vertcat(*[self.name(own) if given is None else entry(given, self) for given in joint.curve])
+
+    def slope(self, joint):
+        """c′ of the curve at the parameter, in the axes of the first's body."""
+        own, way = copy.copy(self), ca.SX.sym("way", 2)
+        own.way = lambda _: way
+        slope = ca.jacobian(own.on_curve(joint), way[joint.graph])
+        return ca.substitute(slope, way, self.way(joint))
 
     # The scope of laws, equations and loads.
 

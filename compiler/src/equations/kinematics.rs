@@ -87,6 +87,14 @@ impl<'g> On<'g, &'g Kinematics> {
         }
     }
 
+    /// How far the second place of a joint in space is from the first along an axis of the joint on that.
+    pub fn shift(self, laws: &Laws<'g>, joint: JointId, axis: usize) -> Moving<'g> {
+        match self.bare {
+            Kinematics::Plane(_) => laws.still(self.g.zero()),
+            Kinematics::Space(space) => self.g.on(space).shift(laws, joint, axis),
+        }
+    }
+
     /// The coordinate of a mode of a beam.
     pub fn mode(self, body: usize, mode: usize) -> Option<Moving<'g>> {
         match self.bare {

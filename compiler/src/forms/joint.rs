@@ -41,9 +41,10 @@ impl JointForm {
         self.call.positional.contains(&Positional::Line)
     }
 
-    /// Whether surfaces of it slide on each other: it moves, and is no rod between two places.
+    /// Whether surfaces of it slide on each other: it moves, is no rod between two places, does not roll, and keeps more than an orientation.
     pub fn slides(&self) -> bool {
-        self.freedoms > 0 && self.spans != Spans::Rod
+        let is_free = self.keeps_orientation && self.travels.len() > 1;
+        self.freedoms > 0 && !matches!(self.spans, Spans::Rod | Spans::Outline) && !is_free
     }
 
     /// The name of what it exerts as one quantity, if it has one.
@@ -91,6 +92,14 @@ pub enum Bearing {
     Sleeve,
     /// One point: along its travel.
     Point,
+    /// A face on a plane: along both of its travels and about its angle.
+    Face,
+    /// One point on a plane: along two directions of it.
+    Spot,
+    /// One point on a curve: along it.
+    Curve,
+    /// A nut on its thread: along that.
+    Thread,
 }
 
 impl Bearing {
@@ -99,19 +108,25 @@ impl Bearing {
         matches!(self, Self::Pin | Self::Cross | Self::Ball)
     }
 
-    /// Along how many coordinates its surfaces slide; of a sleeve along one where nothing says its radius.
+    /// Along how many coordinates its surfaces slide; of a sleeve or face along one less where nothing says its radius.
     pub fn slides(self, radius: bool) -> usize {
         match self {
-            Self::Pin | Self::Rail | Self::Point => 1,
+            Self::Pin | Self::Rail | Self::Point | Self::Curve | Self::Thread => 1,
             Self::Sleeve => 1 + usize::from(radius),
-            Self::Cross => 2,
+            Self::Face => 2 + usize::from(radius),
+            Self::Cross | Self::Spot => 2,
             Self::Ball => 3,
         }
     }
 
+    /// Whether its surfaces shift as well as turn on each other: what turns takes part by a radius.
+    pub fn turns_too(self) -> bool {
+        matches!(self, Self::Sleeve | Self::Face | Self::Thread)
+    }
+
     /// Whether friction resists the size of the sliding along all coordinates, and not each by itself.
     pub fn slides_as_one(self) -> bool {
-        matches!(self, Self::Sleeve | Self::Ball)
+        matches!(self, Self::Sleeve | Self::Ball | Self::Face | Self::Spot)
     }
 }
 

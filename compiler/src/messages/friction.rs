@@ -10,7 +10,7 @@ pub(crate) fn friction_without_joint() -> String {
 pub(crate) fn too_many_stick(most: usize) -> String {
     format!(
         "which of the joints with `dry` friction hold is found among all ways in which they may, of {most} coordinates at most, of which a pin or a \
-         rail has one, a sleeve or a universal joint two, and a ball three: write `coulomb` or `lugre` where none has to stick"
+         rail has one, a sleeve, a universal joint or a point on a plane two, and a ball or a face on a plane three: write `coulomb` or `lugre` where none has to stick"
     )
 }
 
@@ -71,7 +71,8 @@ pub(crate) fn no_bearing(joint: &str, kind: &str, slides: bool) -> String {
         false => format!("no surfaces slide on each other in `{joint}`, a {kind} joint"),
     };
     format!(
-        "{why}: friction acts in revolute, prismatic, cylindrical, spherical and universal joints and where a point slides along a line"
+        "{why}: friction acts in revolute, prismatic, cylindrical, spherical, universal, planar and screw joints and where a point slides along a line or \
+         curve or on a plane"
     )
 }
 
@@ -113,6 +114,21 @@ pub(crate) fn sleeve_without_radius(name: &str, joint: &str) -> String {
     format!(
         "the friction `{name}` needs its radius: the surfaces of `{joint}` slide along its axis with ẋ and about it with r ω, and a force of μ N resists \
          both; write `radius [m] = …`, or `force [N] = …` alone for what does not depend on load and resists ẋ"
+    )
+}
+
+pub(crate) fn face_without_radius(name: &str, joint: &str) -> String {
+    format!(
+        "the friction `{name}` needs its radius: the surfaces of `{joint}` slide on each other with v along the plane and r ω about its axis, and a force \
+         of μ N resists both; write `radius [m] = …`, two thirds of that of a round face, or `force [N] = …` alone for what does not depend on load and \
+         resists v"
+    )
+}
+
+pub(crate) fn thread_without_radius(name: &str, joint: &str) -> String {
+    format!(
+        "the friction `{name}` needs its radius: the thread of `{joint}` is as steep as its pitch on a turn at that radius, by which what carries the \
+         load presses; write `radius [m] = …`, or `force [N] = …` alone for what does not depend on load"
     )
 }
 

@@ -57,7 +57,9 @@ impl<'d> Lowering<'d> {
                 let names: &[&str] = match self.definition.joints[index].form.bearing? {
                     Bearing::Pin => &["normal", "torque", "rate"],
                     Bearing::Rail | Bearing::Point => &["normal", "force", "sliding"],
+                    Bearing::Thread => &["normal", "force"],
                     Bearing::Cross | Bearing::Ball | Bearing::Sleeve => &["normal"],
+                    Bearing::Face | Bearing::Spot | Bearing::Curve => &["normal"],
                 };
                 (JointId(index), names)
             }
@@ -114,7 +116,8 @@ impl<'d> Lowering<'d> {
         let ends = match bearing {
             Bearing::Pin => spatial,
             Bearing::Rail | Bearing::Sleeve => true,
-            Bearing::Cross | Bearing::Ball | Bearing::Point => false,
+            Bearing::Cross | Bearing::Ball | Bearing::Point | Bearing::Face => false,
+            Bearing::Spot | Bearing::Curve | Bearing::Thread => false,
         };
         let kind = form.call.word;
         if !ends {
@@ -123,7 +126,7 @@ impl<'d> Lowering<'d> {
         if !(spatial && bearing == Bearing::Pin) {
             refuse("shoulder", messages::no_use_in_bearing("shoulder", joint, kind));
         }
-        if !bearing.turns() && bearing != Bearing::Sleeve {
+        if !bearing.turns() && !bearing.turns_too() {
             refuse("radius", messages::no_use_in_bearing("radius", joint, kind));
         }
         if bearing.turns() {
@@ -133,11 +136,13 @@ impl<'d> Lowering<'d> {
         }
         let dry = load.form.holds;
         let presses = ["coefficient", "static", "kinetic"].iter().any(|it| value(it).is_some());
-        let takes_radius = bearing.turns() || bearing == Bearing::Sleeve;
+        let takes_radius = bearing.turns() || bearing.turns_too();
         if takes_radius && presses && value("radius").is_none() {
-            let message = match bearing.turns() {
-                true => messages::friction_without_radius(name, joint, kind),
-                false => messages::sleeve_without_radius(name, joint),
+            let message = match bearing {
+                Bearing::Sleeve => messages::sleeve_without_radius(name, joint),
+                Bearing::Face => messages::face_without_radius(name, joint),
+                Bearing::Thread => messages::thread_without_radius(name, joint),
+                _ => messages::friction_without_radius(name, joint, kind),
             };
             self.diagnostics.error(load.name.region, message);
         } else if !presses && ["force", "torque", "breakaway"].iter().all(|it| value(it).is_none()) {

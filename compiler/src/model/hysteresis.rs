@@ -164,9 +164,10 @@ impl Lowering<'_> {
     fn components(&self, load: &Load, loads: &[Load]) -> usize {
         match load.on.first() {
             Some(Subject::Bearing(joint, _)) => match self.definition.joints[joint.0].form.bearing {
-                Some(Bearing::Ball) => 3,
-                Some(Bearing::Cross | Bearing::Sleeve) => 2,
-                Some(Bearing::Pin | Bearing::Rail | Bearing::Point) | None => 1,
+                Some(Bearing::Ball | Bearing::Face) => 3,
+                Some(Bearing::Cross | Bearing::Sleeve | Bearing::Spot) => 2,
+                Some(Bearing::Pin | Bearing::Rail | Bearing::Point | Bearing::Curve | Bearing::Thread)
+                | None => 1,
             },
             Some(Subject::Touches(contact)) => {
                 let each = |sliding: &Sliding| match sliding {

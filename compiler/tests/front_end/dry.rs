@@ -109,7 +109,10 @@ fn balls_are_counted_by_their_directions() {
     };
     let mechanism = good(&balls(2));
     assert_eq!(mechanism.slide_as_one(), [0, 0, 0, 3, 3, 3]);
-    said(&balls(3), "a sleeve or a universal joint two, and a ball three");
+    said(
+        &balls(3),
+        "a sleeve, a universal joint or a point on a plane two, and a ball or a face on a plane three",
+    );
 }
 
 #[test]
@@ -145,28 +148,33 @@ fn what_is_as_another_is_said_once() {
 
 #[test]
 fn friction_that_is_not_there_yet_is_no_lack_of_surfaces() {
-    let only = "friction acts in revolute, prismatic, cylindrical, spherical and universal joints and where a point slides along a line";
-    let planar = |joint: &str| {
-        format!(
+    let only = "friction acts in revolute, prismatic, cylindrical, spherical, universal, planar and screw joints and where a point slides along a line or \
+                curve or on a plane";
+    for joint in ["fixed(ground(0, 0), b.center)", "parallel(ground(0, 0), b.center)"] {
+        let (kind, _) = joint.split_once('(').expect("a joint");
+        let source = format!(
             "planar Wire {{ body b {{ mass [kg] = 1; inertia [kg*m^2] = 1; }} joint j: {joint}; friction rub: on(j) = dry(static = 0.3); }}"
-        )
-    };
-    let curve = "point_on_curve(ground(0, 0), b.center, y = 2 [1/m]*j.parameter*j.parameter)";
-    said(&planar(curve), &format!("friction in `j`, a point_on_curve joint, is not there yet: {only}"));
-    said(
-        &planar("fixed(ground(0, 0), b.center)"),
-        &format!("no surfaces slide on each other in `j`, a fixed joint: {only}"),
-    );
+        );
+        said(&source, &format!("no surfaces slide on each other in `j`, a {kind} joint: {only}"));
+    }
     let spatial = |joint: &str| {
         format!(
             "spatial Nut {{ body b {{ mass [kg] = 1; inertia [kg*m^2] = (1, 1, 1); }} joint j: {joint};
              friction rub: on(j) = coulomb(coefficient = 0.3, speed [m/s] = 0.1); }}"
         )
     };
-    for (joint, kind) in [
-        ("screw(ground(0, 0, 0), b.center, axis = (0, 0, 1), pitch [m] = 0.01)", "screw"),
-        ("planar(ground(0, 0, 0), b.center, axis = (0, 0, 1))", "planar"),
+    let velocity = "constant_velocity(ground(0, 0, 0), b.center, axis = (0, 0, 1))";
+    said(&spatial(velocity), "friction in `j`, a constant_velocity joint, is not there yet");
+    for (joint, why) in [
+        (
+            "screw(ground(0, 0, 0), b.center, axis = (0, 0, 1), pitch [m] = 0.01)",
+            "the friction `rub` needs its radius: the thread of `j` is as steep as its pitch on a turn",
+        ),
+        (
+            "planar(ground(0, 0, 0), b.center, axis = (0, 0, 1))",
+            "the friction `rub` needs its radius: the surfaces of `j` slide on each other with v along the plane",
+        ),
     ] {
-        said(&spatial(joint), &format!("friction in `j`, a {kind} joint, is not there yet"));
+        said(&spatial(joint), why);
     }
 }

@@ -4,7 +4,7 @@ use super::laws::May;
 use super::{Read, Reader};
 use crate::error::DefinitionError;
 use crate::friction::{Friction, Kind, SMALLEST, STANDARD_GRAVITY, Sliding, Slip};
-use crate::json::{field, optional, text};
+use crate::json::{field, list, optional, text};
 use crate::law::Law;
 use crate::row::Row;
 use crate::vector::*;
@@ -43,6 +43,28 @@ impl Reader<'_> {
                 (Kind::Any, vec![vec![turn(0), turn(1), turn(2)]], radius)
             }
             "cylindrical" => (Kind::Rail, vec![vec![(of("angle")?, radius), (of("travel")?, 1.0)]], 1.0),
+            "planar" => {
+                let along = [("angle", radius), ("travel_1", 1.0), ("travel_2", 1.0)];
+                let slips = along.into_iter().map(|(which, by)| Ok((of(which)?, by)));
+                (Kind::Face, vec![slips.collect::<Read<Vec<_>>>()?], 1.0)
+            }
+            "point_on_plane" => {
+                let along = [0, 1].map(|k| (Slip::Of(Box::new(joint.along_quantity(k))), 1.0));
+                (Kind::Face, vec![along.into()], 1.0)
+            }
+            "screw" => {
+                let named = |node: &&Value| node.get("name").and_then(Value::as_str) == Some(on);
+                let joint = list(self.tree, "joints", own)?.iter().find(named);
+                let joint = joint.ok_or_else(|| DefinitionError::unknown(own, on))?;
+                let lead = self.needed(joint, "pitch", own)? / std::f64::consts::TAU;
+                let whole = radius.hypot(lead);
+                let quantity =
+                    |which| self.of_joint(index, which).ok_or_else(|| DefinitionError::unknown(own, which));
+                let parts =
+                    vec![(quantity("angle")?, radius * radius / whole), (quantity("travel")?, lead / whole)];
+                (Kind::Thread(whole / radius), vec![vec![(Slip::Sum(parts), 1.0)]], 1.0)
+            }
+            "point_on_curve" => return Err(DefinitionError::not_there_yet(own, "friction along a curve")),
             "prismatic" | "point_on_line" => (Kind::Rail, vec![vec![(of("travel")?, 1.0)]], 1.0),
             kind => return Err(DefinitionError::kind(own, kind)),
         };

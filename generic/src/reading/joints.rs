@@ -302,7 +302,7 @@ impl Joint {
         turned(&self.second.axes, column(&self.frame, k))
     }
 
-    fn along_quantity(&self, k: usize) -> Quantity {
+    pub(super) fn along_quantity(&self, k: usize) -> Quantity {
         Quantity::Along { axis: self.first_axis(k), first: self.first.clone(), second: self.second.clone() }
     }
 

@@ -93,3 +93,66 @@ linkwright::mechanism! {
         output pressed [N] = f_pin.normal;
     }
 }
+
+linkwright::mechanism! {
+    /// A puck on a slanted table, a plate that slides on it, a leg of that on the floor.
+    pub spatial RubbedFaces {
+        gravity [m/s^2] = (0, 1, -9.81);
+        param grip = 0.2 in 0..1;
+        input push [N];
+        body puck { mass [kg] = 1.2; inertia [kg*m^2] = (0.003, 0.004, 0.006); point sole [m] = (0.01, 0.02, -0.03); point lid [m] = (0, 0.01, 0.04); }
+        body plate { mass [kg] = 0.7; inertia [kg*m^2] = (0.004, 0.002, 0.005); point under [m] = (0.02, 0, -0.01); point tip [m] = (0.25, 0.03, -0.06); }
+        joint table: planar(ground(0, 0, 0) [m], puck.sole, axis = (0.1, 0, 1));
+        joint above: planar(puck.lid, plate.under, axis = (0, 0.2, 1));
+        joint leg: point_on_plane(plate.tip, ground(0.3, 0, 0.01) [m], axis = (0, 0.1, 1));
+        force pushing: force(plate.tip) = (push, 0.3*push, 0 [N]);
+        friction f_table: on(table) = coulomb(coefficient = grip, radius [mm] = 40, speed [m/s] = 0.05);
+        friction f_above: on(above) = stribeck(static = 0.3, kinetic = 0.2, transition [m/s] = 0.2, radius [mm] = 25, speed [m/s] = 0.05, viscous [N*s/m] = 0.1);
+        friction f_leg: on(leg) = coulomb(coefficient = 0.15, speed [m/s] = 0.05, preload [N] = 1);
+        start { table.travel_1 [m] = 0; table.travel_2 [m] = 0; table.angle [deg] = 10; table.speed_1 [m/s] = 0.4; table.rate [rad/s] = 1;
+                above.travel_1 [m] = 0.02; above.travel_2 [m] ~ 0; above.angle [deg] ~ 5; }
+        options { friction_passes = 4; }
+        output pressed [N] = f_table.normal + f_above.normal + f_leg.normal;
+        output lost [W] = -power(f_table) - power(f_above) - power(f_leg);
+    }
+}
+
+linkwright::mechanism! {
+    /// A nut that runs down its screw, and an arm that winds itself into the nut.
+    pub spatial RubbedThreads {
+        gravity [m/s^2] = (0, 0, -9.81);
+        input torque [N*m];
+        body nut { mass [kg] = 2; inertia [kg*m^2] = (0.002, 0.003, 0.004); center [m] = (0.01, 0, 0); point side [m] = (0.05, 0.01, 0); }
+        body arm { mass [kg] = 0.6; inertia [kg*m^2] = (0.001, 0.004, 0.004); center [m] = (0.1, 0, 0.02); }
+        joint thread: screw(ground(0, 0, 0) [m], nut.origin, axis = (0, 0.1, 1), pitch [mm] = 60);
+        joint bolt: screw(arm.origin, nut.side, axis = (1, 0, 0.2), pitch [mm] = -40);
+        torque turn: torque(bolt) = torque;
+        friction f_thread: on(thread) = coulomb(coefficient = 0.12, radius [mm] = 20, speed [m/s] = 0.05, force [N] = 0.3);
+        friction f_bolt: on(bolt) = lugre(static = 0.2, kinetic = 0.15, transition [m/s] = 0.2, stiffness [1/m] = 20, damping [s/m] = 0.01, radius [mm] = 15);
+        start { thread.angle [rad] = 0; thread.rate [rad/s] = -3; bolt.angle [deg] = 30; bolt.rate [rad/s] = 4; }
+        options { friction_passes = 4; }
+        output pressed [N] = f_thread.normal + f_bolt.normal;
+        output along [N] = f_thread.force;
+        output lost [W] = -power(f_thread) - power(f_bolt);
+    }
+}
+
+linkwright::mechanism! {
+    /// A bead on a bent wire, and a slide with a slot in which the bead runs as well.
+    pub planar RubbedWire {
+        gravity [m/s^2] = (0, -9.81);
+        input push [N];
+        particle bead { mass [kg] = 0.3; }
+        body slide { mass [kg] = 0.8; inertia [kg*m^2] = 0.01; }
+        joint rail: revolute(ground(0.1, -0.4) [m], slide.center);
+        joint wire: point_on_curve(ground(0, 0) [m], bead.center, y = 0.8 [1/m]*wire.parameter*wire.parameter - 0.2 [m]);
+        joint slot: point_on_curve(slide.center, bead.center, y = 2*slot.parameter + 0.03 [m]*sin(slot.parameter/(0.1 [m])));
+        force pushing: force(bead.center) = (push, 0 [N]);
+        friction f_wire: on(wire) = coulomb(coefficient = 0.2, speed [m/s] = 0.05);
+        friction f_slot: on(slot) = stribeck(static = 0.3, kinetic = 0.2, transition [m/s] = 0.2, speed [m/s] = 0.05, preload [N] = 1);
+        start { wire.parameter [m] = 0.2; wire.parameter_rate [m/s] = 0.7; slide.angle [deg] ~ 0; slot.parameter [m] ~ 0.1; }
+        options { friction_passes = 4; }
+        output pressed [N] = f_wire.normal + f_slot.normal;
+        output lost [W] = -power(f_wire) - power(f_slot);
+    }
+}

@@ -9,18 +9,25 @@
 //! | rail | along it | \|R_n\|, or with a length \|R_n/2 + M/l\| + \|R_n/2 − M/l\| |
 //! | sleeve | along and about it | the same, across the axis |
 //! | point | along its line | \|R_n\| |
+//! | face on a plane | along and about it | \|R_a\| |
+//! | point on a plane | along it | \|R_a\| |
+//! | point on a curve | along it | \|R_n\| |
+//! | nut on its thread | along that | \|R_a\| h/r + \|R_r\| |
 //!
 //! R is the force at the joint's second place, M the torque about it (N, N m), R_a along the axis, R_r, M_b and R_n across; r is the radius, r_a
-//! that of the shoulder, l the length. A length or shoulder that is not given carries nothing. Moments of a rail or sleeve are carried by its
+//! that of the shoulder, l the length. A thread of the pitch 2π p slides with (r² ω + p ẋ)/h, h² = r² + p², and its force has a part along the axis.
+//! A length or shoulder that is not given carries nothing. Moments of a rail or sleeve are carried by its
 //! ends, at l/2 to both sides of the second place.
 
 use super::{Slip, pressed};
 use crate::equations::jet::Moving;
 use crate::equations::laws::Laws;
+use crate::equations::plane::joints;
 use crate::forms::{Argument, Bearing, Need};
 use crate::model::{Frame, Joint, JointId, Load, Place, Rotor, Space};
 use crate::symbolic::Scalar;
 use crate::units::Dimension;
+use std::f64::consts::TAU;
 
 /// What a law of friction is told of the joint that it acts in: r, l, r_a, and what presses beside its reaction.
 pub(super) const RADIUS: Argument = Argument::scalar("radius", Need::Never, Dimension::LENGTH).not_negative();
@@ -44,7 +51,7 @@ pub(super) fn slips<'g>(laws: &Laws<'g>, load: &Load) -> Vec<Slip<'g>> {
     let Some((id, joint, bearing)) = joint_of(laws, load) else { return Vec::new() };
     let (one, radius) = (laws.g.one(), laws.value(load.named("radius")));
     let turn = |which| laws.kinematics().rotor_rate(laws, Rotor::Joint(id, which));
-    let travel = || laws.kinematics().travel(laws, id, 0);
+    let travel = |which| laws.kinematics().travel(laws, id, which);
     let pressed = pressed(laws, load);
     let slip = |along, radius| Slip { along, radius, pressed, normal: Vec::new(), closed: None };
     match bearing {
@@ -53,9 +60,25 @@ pub(super) fn slips<'g>(laws: &Laws<'g>, load: &Load) -> Vec<Slip<'g>> {
         Bearing::Ball => {
             vec![slip(relative_turn(laws, joint).into_iter().map(|it| (it, one)).collect(), radius)]
         }
-        Bearing::Rail | Bearing::Point => vec![slip(vec![(travel(), one)], one)],
-        Bearing::Sleeve => vec![slip(vec![(turn(0), radius), (travel(), one)], one)],
+        Bearing::Rail | Bearing::Point => vec![slip(vec![(travel(0), one)], one)],
+        Bearing::Sleeve => vec![slip(vec![(turn(0), radius), (travel(0), one)], one)],
+        Bearing::Face => vec![slip(vec![(turn(0), radius), (travel(0), one), (travel(1), one)], one)],
+        Bearing::Spot => {
+            vec![slip([0, 1].map(|axis| (laws.kinematics().shift(laws, id, axis), one)).into(), one)]
+        }
+        Bearing::Curve => vec![slip(vec![joints::sliding_on_curve(laws, id)], one)],
+        Bearing::Thread => {
+            let (lead, whole) = thread(laws, joint, radius);
+            let along = (radius.square() / whole) * &turn(0) + (lead / whole) * &travel(0);
+            vec![slip(vec![(along, one)], one)]
+        }
     }
+}
+
+/// p and h = √(r² + p²) of a thread.
+fn thread<'g>(laws: &Laws<'g>, joint: &Joint, radius: Scalar<'g>) -> (Scalar<'g>, Scalar<'g>) {
+    let lead = laws.value(joint.scalar(0)) / TAU;
+    (lead, (radius.square() + lead.square()).sqrt())
 }
 
 /// Quantities whose rates are ω of the second body less that of the first, along the axes of the world.
@@ -69,12 +92,16 @@ fn relative_turn<'g>(laws: &Laws<'g>, joint: &Joint) -> Vec<Moving<'g>> {
 
 /// The forces that press, of what the joint exerts on its second body: force, then torque, along the axes of the world.
 pub fn pressing<'g>(laws: &Laws<'g>, load: &Load, wrench: &[Scalar<'g>]) -> Pressing<'g> {
-    let Some((_, joint, bearing)) = joint_of(laws, load) else { return Vec::new() };
+    let Some((id, joint, bearing)) = joint_of(laws, load) else { return Vec::new() };
     let (force, torque) = wrench.split_at(laws.mechanism.space.dimensions());
     let length = laws.value(load.named("length"));
     if laws.mechanism.space == Space::Planar {
         return match bearing {
             Bearing::Pin => vec![force.to_vec()],
+            Bearing::Curve => {
+                let [x, y] = joints::out_of_curve(laws, id).parts();
+                vec![vec![x * force[0] + y * force[1]]]
+            }
             _ => {
                 let normal = laws.plane().normal(laws, joint).parts();
                 let across = normal[0] * force[0] + normal[1] * force[1];
@@ -93,6 +120,12 @@ pub fn pressing<'g>(laws: &Laws<'g>, load: &Load, wrench: &[Scalar<'g>]) -> Pres
     };
     match bearing {
         Bearing::Cross | Bearing::Ball => vec![force.to_vec()],
+        Bearing::Face | Bearing::Spot => vec![vec![along(force)]],
+        Bearing::Thread => {
+            let radius = laws.value(load.named("radius"));
+            let (_, whole) = thread(laws, joint, radius);
+            vec![vec![along(force) * (whole / radius)], across(force)]
+        }
         Bearing::Pin => {
             let [shoulder, radius] = ["shoulder", "radius"].map(|name| laws.value(load.named(name)));
             let mut pressing = vec![across(force)];
@@ -106,7 +139,7 @@ pub fn pressing<'g>(laws: &Laws<'g>, load: &Load, wrench: &[Scalar<'g>]) -> Pres
             pressing
         }
         // A moment M is carried by forces M × a/l at the one end and −M × a/l at the other.
-        Bearing::Rail | Bearing::Sleeve | Bearing::Point => {
+        Bearing::Rail | Bearing::Sleeve | Bearing::Point | Bearing::Curve => {
             let couple = cross(axis, torque).map(|moment| -moment);
             at_ends(&across(force), &couple, length)
         }

@@ -304,10 +304,15 @@ impl<'g> On<'g, &'g Kinematics> {
             Elementary::Wind => Some(2),
             Elementary::Turn { .. } | Elementary::Ball => None,
         });
-        let Some(along) = slides else { return laws.still(self.g.zero()) };
+        slides.map_or_else(|| laws.still(self.g.zero()), |axis| self.shift(laws, id, axis))
+    }
+
+    /// How far the second place of a joint is from the first along an axis of the joint on that.
+    pub fn shift(self, laws: &Laws<'g>, id: JointId, axis: usize) -> Moving<'g> {
+        let joint = &laws.mechanism.joints[id.0];
         let [first, second] = self.joint_spots(laws, joint);
         let frame = first.axes * joints::frames(laws, joint)[0];
-        self.delta(&first, &second).project(frame.column(along))
+        self.delta(&first, &second).project(frame.column(axis))
     }
 }
 

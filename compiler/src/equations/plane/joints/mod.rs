@@ -27,8 +27,8 @@ use crate::forms::{JointForm, RowForm, Spans};
 use crate::model::{BodyId, Expr, Frame, Joint, JointId};
 use crate::symbolic::{Node, On, Scalar};
 pub use point_on_curve::{
-    derivatives as derivatives_of_curve, point as point_of_curve, tangent_and_parameter as tangent_of_curve,
-    travel as travel_of_curve,
+    derivatives as derivatives_of_curve, point as point_of_curve, sliding as sliding_on_curve,
+    tangent_and_parameter as tangent_of_curve, travel as travel_of_curve,
 };
 
 /// What a joint exerts on the second place's body: force (world axes) at the second place, and torque about it.

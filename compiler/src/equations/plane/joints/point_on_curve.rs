@@ -12,7 +12,9 @@ use crate::equations::jet::{Jet, Moving};
 use crate::equations::laws::Laws;
 use crate::equations::plane::kinematics::{Kinematics, LocalVector, Placement, Travelled};
 use crate::forms::row::ON_CURVE;
-use crate::forms::{Alone, Argument, Form, JointAxes, JointForm, Need, OfParticle, PLACES, Spans, Value};
+use crate::forms::{
+    Alone, Argument, Bearing, Form, JointAxes, JointForm, Need, OfParticle, PLACES, Spans, Value,
+};
 use crate::model::{Joint, JointId};
 use crate::symbolic::{Node, On, Scalar};
 use crate::units::Dimension;
@@ -41,7 +43,7 @@ pub static JOINT: PlanarJoint = PlanarJoint {
         of_particle: OfParticle::Second,
         alone: Alone::Otherwise,
         freer: &[],
-        bearing: None,
+        bearing: Some(Bearing::Curve),
         refuses: None,
     },
     rows,
@@ -106,6 +108,18 @@ pub fn travel<'g>(
     moving.jet.value = known.value;
     moving.jet.bias = (moving.bias() - inverse * (x * curved[0] + y * curved[1])).bare;
     moving
+}
+
+/// What slides along the curve, with its lever: of a graph the second place along the tangent, else u with |c′|.
+pub fn sliding<'g>(laws: &Laws<'g>, id: JointId) -> (Moving<'g>, Scalar<'g>) {
+    let joint = &laws.mechanism.joints[id.0];
+    let travel = laws.plane().travel(laws, id, 0);
+    let tangent = tangent(laws, joint, travel.jet.value);
+    if joint.graph().is_none() {
+        return (travel, tangent.dot(tangent.bare).sqrt());
+    }
+    let (delta, [x, y]) = (Ends::of(laws, joint).in_first(laws), tangent.normalized().parts());
+    (x * &delta[0] + y * &delta[1], laws.g.one())
 }
 
 /// The normal to the left of the curve at the second place, of length one, in world axes.

@@ -5,7 +5,7 @@ use crate::drawing::canvas::Pen;
 use crate::drawing::shapes::THIN;
 use crate::drawing::space::Symbol;
 use crate::equations::{JointRow, Laws};
-use crate::forms::{Alone, Form, Freer, JointAxes, JointForm, OfParticle, PLACES, Spans};
+use crate::forms::{Alone, Bearing, Form, Freer, JointAxes, JointForm, OfParticle, PLACES, Spans};
 
 pub static JOINT: SpatialJoint = SpatialJoint {
     form: JointForm {
@@ -22,7 +22,7 @@ pub static JOINT: SpatialJoint = SpatialJoint {
         of_particle: OfParticle::Neither,
         alone: Alone::Otherwise,
         freer: &[Freer { turns: 2, shifts: 0, joint: "point_on_plane" }],
-        bearing: None,
+        bearing: Some(Bearing::Face),
         refuses: None,
     },
     motions: Some(&[

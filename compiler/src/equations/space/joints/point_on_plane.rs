@@ -3,7 +3,7 @@
 use super::{AXIS, Ends, SpatialJoint};
 use crate::drawing::space::Symbol;
 use crate::equations::{JointRow, Laws};
-use crate::forms::{Alone, Form, JointAxes, JointForm, OfParticle, PLACES, Spans};
+use crate::forms::{Alone, Bearing, Form, JointAxes, JointForm, OfParticle, PLACES, Spans};
 
 pub static JOINT: SpatialJoint = SpatialJoint {
     form: JointForm {
@@ -20,7 +20,7 @@ pub static JOINT: SpatialJoint = SpatialJoint {
         of_particle: OfParticle::Second,
         alone: Alone::Otherwise,
         freer: &[],
-        bearing: None,
+        bearing: Some(Bearing::Spot),
         refuses: None,
     },
     // It leaves five freedoms, and a free body has six.

@@ -6,7 +6,9 @@ use crate::drawing::shapes::ring;
 use crate::drawing::space::Symbol;
 use crate::drawing::vector::along;
 use crate::equations::{JointRow, Laws};
-use crate::forms::{Alone, Argument, Form, JointAxes, JointForm, Need, OfParticle, PLACES, RowForm, Spans};
+use crate::forms::{
+    Alone, Argument, Bearing, Form, JointAxes, JointForm, Need, OfParticle, PLACES, RowForm, Spans,
+};
 use crate::messages;
 use crate::model::Rotor;
 use crate::units::Dimension;
@@ -32,7 +34,7 @@ pub static JOINT: SpatialJoint = SpatialJoint {
         of_particle: OfParticle::Neither,
         alone: Alone::Otherwise,
         freer: &[],
-        bearing: None,
+        bearing: Some(Bearing::Thread),
         refuses: Some(|given| {
             let pitch = given.scalars.first().copied().flatten()?;
             (pitch == 0.0).then(|| ("pitch", messages::zero_pitch()))
