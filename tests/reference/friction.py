@@ -56,7 +56,7 @@ def slips(load, kinematics):
         relative = kinematics.spin(joint.second.body) - kinematics.spin(joint.first.body)
         return [([(relative[k], one) for k in range(3)], radius)]
     if joint.kind in FACES:
-        first = kinematics.frames(joint)[0]
+        first, _ = kinematics.frames(joint)
         along = [(kinematics.rate(ca.dot(first[:, k], kinematics.span(joint))), one) for k in (0, 1)]
         turning = [(kinematics.joint_rate(joint), radius)] if joint.kind == "planar" else []
         return [(turning + along, one)]
