@@ -104,10 +104,12 @@ pub enum Lint {
     Slender,
     /// A beam without stiffening that turns fast or is pressed together.
     Stiffening,
+    /// Friction that presses harder by itself than it lets go.
+    Locks,
 }
 
 impl Lint {
-    pub const ALL: [Lint; 14] = [
+    pub const ALL: [Lint; 15] = [
         Self::Unused,
         Self::NoEffect,
         Self::Outside,
@@ -122,6 +124,7 @@ impl Lint {
         Self::Penetration,
         Self::Slender,
         Self::Stiffening,
+        Self::Locks,
     ];
 
     /// As in `#[allow(unused)]`.
@@ -141,6 +144,7 @@ impl Lint {
             Self::Penetration => "penetration",
             Self::Slender => "slender",
             Self::Stiffening => "stiffening",
+            Self::Locks => "locks",
         }
     }
 }

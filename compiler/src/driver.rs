@@ -163,6 +163,7 @@ pub fn compile_model(
     check::cords(&mechanism, &equations, &solved, &assembly, &mut errors);
     check::contacts(&mechanism, &equations, &assembly, &mut errors, &mut warnings);
     check::held(&mechanism, &equations, &assembly, &mut errors, &mut warnings);
+    check::locks(&mechanism, &equations, &solved, &assembly, &mut warnings);
     let vibration = check::vibration(&mechanism, &equations, &assembly);
     let blows = check::contact_times(&mechanism, &equations, &assembly, &mut errors);
     // AFTER THIS POINT every state has its start.

@@ -8,12 +8,12 @@
 //! At a dead centre J_N vanishes for a moment, as where a slider turns back at a stop. So it is looked at along the motion, and a contact is named
 //! where J_N vanishes at all positions.
 
+use super::admitted::Admitted;
 use super::assemble::{Ancestry, Assembly, Point};
 use super::{contacts, messages};
 use crate::diagnostics::{Diagnostics, Lint};
 use crate::equations::{Equations, Jet};
 use crate::model::{Load, Mechanism};
-use crate::solve::table::{Numeric, Table};
 use std::ops::Range;
 
 /// What of |J|² is rounding.
@@ -74,38 +74,15 @@ fn moves(
     gap: &Jet,
     rows: Range<usize>,
 ) -> bool {
-    let rows: Vec<&Jet> = equations.rows[rows].iter().map(|row| &row.jet).collect();
-    let (n, linear) = (equations.layout.velocities(), equations.layout.linear.len());
-    let places =
-        |at: usize, row: &Jet| row.columns.keys().map(move |column| (n + at, *column)).collect::<Vec<_>>();
-    let table = Table::new(n, rows.len(), rows.iter().enumerate().flat_map(|(at, row)| places(at, row)));
-    let ancestry = Ancestry::of_jets(equations, rows.iter().copied().chain([gap]));
+    let admitted = Admitted::new(equations, rows);
+    let ancestry = Ancestry::of_jets(equations, [gap]);
     let mut point = Point::at_defaults(mechanism, equations, &assembly.phases);
     assembly.along.iter().any(|q| {
-        point.set_q(q);
+        let here = admitted.at(&mut point, q);
         point.evaluate(&ancestry);
-        let of = |row: &Jet| -> Vec<(usize, f64)> {
-            row.columns.iter().map(|(column, node)| (*column, point.get(*node))).collect()
-        };
-        let entries: Vec<Vec<(usize, f64)>> = rows.iter().map(|row| of(row)).collect();
-        let levers = entries.iter().flatten().filter(|(column, _)| *column >= linear);
-        let lever = levers.fold(0.0_f64, |most, (_, entry)| most.max(entry.abs()));
-        let length = if lever > 0.0 { lever } else { 1.0 };
-        let weight = |column: usize| if column < linear { 1.0 / (length * length) } else { 1.0 };
-        let matrix = (0..n).map(|column| (column, column, weight(column)));
-        let matrix = matrix.chain(
-            entries
-                .iter()
-                .enumerate()
-                .flat_map(|(at, row)| row.iter().map(move |(column, entry)| (n + at, *column, *entry))),
-        );
-        let mut right = vec![0.0; n + rows.len()];
-        let mut whole = 0.0;
-        for (column, entry) in of(gap) {
-            right[column] = entry;
-            whole += entry * entry / weight(column);
-        }
-        let left = Numeric::factor(&table, matrix).inverse_square(&right).abs();
+        let gradient: Vec<(usize, f64)> =
+            gap.columns.iter().map(|(column, node)| (*column, point.get(*node))).collect();
+        let [left, whole] = here.squares(&gradient);
         // Written so that a NaN is a motion.
         !(left <= ROUNDING * whole)
     })

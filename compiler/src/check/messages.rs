@@ -314,6 +314,26 @@ pub fn gap_is_driven(name: &str) -> String {
     )
 }
 
+pub fn friction_locks(name: &str, open: f64, passes: usize) -> String {
+    let open = if open.is_finite() {
+        format!("{} of what presses is open", number(open))
+    } else {
+        "there is none".to_string()
+    };
+    format!(
+        "friction at `{name}` makes reactions that make more friction: somewhere along the motion the force that presses has no solution or two, or is not \
+         found in {passes} passes, after which {open}. Lower coefficients or radii, take `dry`, which tells when it locks, raise `friction_passes`, or \
+         write `#[allow(locks)]` before it"
+    )
+}
+
+pub fn nothing_presses(name: &str) -> String {
+    format!(
+        "no reaction presses at `{name}`, wherever it is, so its friction does nothing: give it a `preload [N] = …` or a friction that does not depend on load, or \
+         leave it out"
+    )
+}
+
 pub fn never_closes(name: &str, least: f64, angle: bool) -> String {
     let least = length(least, angle);
     format!(

@@ -1,5 +1,6 @@
 //! Checks: static rules on the model, numeric rules by assembling the mechanism.
 
+mod admitted;
 pub mod assemble;
 mod beams;
 mod beyond;
@@ -9,6 +10,7 @@ mod curves;
 mod friction;
 mod gears;
 mod held;
+mod locks;
 mod messages;
 pub mod motion;
 mod penalty;
@@ -25,6 +27,7 @@ pub use contacts::{Blow, contact_times, contacts};
 pub use cords::cords;
 pub use curves::{curves, standing};
 pub use held::held;
+pub use locks::locks;
 pub use penalty::{Vibration, vibration};
 pub use steady::{steady, unstable};
 pub use warnings::{unstable_states, warnings};

@@ -183,6 +183,45 @@ fn a_stop_at_a_dead_centre_is_one() {
     }
 }
 
+/// Four pins of a four-bar: with μ r of 50 mm what presses is found in two passes, with 100 mm it has no solution at some positions.
+#[test]
+fn friction_that_locks_is_named() {
+    let warned = |radius: &str, before: &str| {
+        let pins: String = ["a", "b", "c", "d"]
+            .iter()
+            .map(|pin| format!("{before} friction f_{pin}: on({pin}) = coulomb(coefficient = 0.1, radius [m] = {radius}, speed [rad/s] = 0.05); "))
+            .collect();
+        let source = format!(
+            "planar FourBar {{ gravity [m/s^2] = (0, -9.81); rod crank {{ mass [kg] = 1; length [m] = 0.2; }} rod coupler {{ mass [kg] = 2.5; length [m] = 0.5; }}
+             rod rocker {{ mass [kg] = 2; length [m] = 0.4; }} joint a: revolute(ground(0, 0) [m], crank.start); joint b: revolute(crank.end, coupler.start);
+             joint c: revolute(coupler.end, rocker.end); joint d: revolute(ground(0.6, 0) [m], rocker.start); {pins}
+             start {{ a.angle [deg] = 60; rocker.angle [deg] ~ 98; }} }}"
+        );
+        compiled(&source).warnings.iter().map(|one| one.message.clone()).collect::<Vec<_>>()
+    };
+    assert!(warned("0.5", "").is_empty() && warned("1", "#[allow(locks)]").is_empty());
+    let found = warned("1", "");
+    assert!(
+        matches!(&found[..], [one] if one.starts_with("friction at `f_a` makes reactions that make more friction")),
+        "{found:?}"
+    );
+}
+
+#[test]
+fn friction_that_nothing_presses_is_named() {
+    let of = |law: &str, gravity: &str| {
+        without_effect(&format!(
+            "planar Rail {{ {gravity} body b {{ mass [kg] = 1; inertia [kg*m^2] = 0.1; }} joint rail: prismatic(ground(0, 0) [m], b.center, axis = (1, 0));
+             friction rub: on(rail) = coulomb({law}, speed [m/s] = 0.01); start {{ rail.travel [m] = 0; }} }}"
+        ))
+    };
+    let expected = "no reaction presses at `rub`, wherever it is, so its friction does nothing: give it a `preload [N] = …` or a friction that does not depend on \
+                    load, or leave it out";
+    assert_eq!(of("coefficient = 0.3", ""), [expected]);
+    assert!(of("coefficient = 0.3, preload [N] = 2", "").is_empty());
+    assert!(of("coefficient = 0.3", "gravity [m/s^2] = (0, -9.81);").is_empty());
+}
+
 /// A point on a plane takes at most 25 operations beyond what moves it.
 #[test]
 fn a_point_on_a_plane_is_cheap() {
