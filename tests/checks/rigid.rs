@@ -418,6 +418,7 @@ linkwright::mechanism! {
         body slider { mass [kg] = 1.5; inertia [kg*m^2] = 0.01; }
         joint rail: prismatic(ground(0, 0) [m], slider.center, axis = (1, 0));
         drive motor: rail.travel = 0.1 [m/s]*time;
+        #[allow(no_effect)]
         limit stop: rail.travel [mm] in -10..50 = rigid(restitution = 0.6);
     }
 }
