@@ -62,7 +62,7 @@ def slips(load, kinematics):
         return [(turning + along, one)]
     along = (kinematics.rate(kinematics.travel(joint)), one)
     if joint.kind == "point_on_curve":
-        slope = kinematics.slope(joint)
+        slope = kinematics.tangent_of_curve(joint)
         return [([(ca.dot(slope, kinematics.rate(kinematics.way(joint))) / ca.norm_2(slope), one)], one)]
     if joint.kind == "screw":
         lead, whole = thread(load, kinematics, joint)
@@ -165,7 +165,7 @@ def pressing(load, kinematics, force, torque, small):
     if joint.kind in ("universal", "spherical") or kinematics.model.dimension == 2 and joint.kind == "revolute":
         return size(force)
     if joint.kind == "point_on_curve":
-        slope = kinematics.pose(joint.first.body).turn(kinematics.slope(joint))
+        slope = kinematics.pose(joint.first.body).turn(kinematics.tangent_of_curve(joint))
         return size((slope[0] * force[1] - slope[1] * force[0]) / ca.norm_2(slope))
     if kinematics.model.dimension == 2:
         axis = kinematics.pose(joint.first.body).turn(joint.axis)

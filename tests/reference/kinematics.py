@@ -148,7 +148,7 @@ class Kinematics:
         own = f"{joint.name}.parameter"
         return ca.vertcat(*[self.name(own) if given is None else entry(given, self) for given in joint.curve])
 
-    def slope(self, joint):
+    def tangent_of_curve(self, joint):
         """c′ of the curve at the parameter, in the axes of the first's body."""
         own, way = copy.copy(self), ca.SX.sym("way", 2)
         own.way = lambda _: way

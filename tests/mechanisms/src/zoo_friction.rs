@@ -95,25 +95,27 @@ linkwright::mechanism! {
 }
 
 linkwright::mechanism! {
-    /// A puck on a slanted table, a plate that slides on it, a leg of that on the floor.
+    /// A puck on a slanted table, a plate that slides on it, and a knob on a slope that a spring ties to the plate.
     pub spatial RubbedFaces {
         gravity [m/s^2] = (0, 1, -9.81);
         param grip = 0.2 in 0..1;
         input push [N];
         body puck { mass [kg] = 1.2; inertia [kg*m^2] = (0.003, 0.004, 0.006); point sole [m] = (0.01, 0.02, -0.03); point lid [m] = (0, 0.01, 0.04); }
-        body plate { mass [kg] = 0.7; inertia [kg*m^2] = (0.004, 0.002, 0.005); point under [m] = (0.02, 0, -0.01); point tip [m] = (0.25, 0.03, -0.06); }
+        body plate { mass [kg] = 0.7; inertia [kg*m^2] = (0.004, 0.002, 0.005); point under [m] = (0.02, 0, -0.01); point tip [m] = (0.1, 0.03, 0.02); }
+        body knob { mass [kg] = 0.4; inertia [kg*m^2] = (0.001, 0.002, 0.001); point foot [m] = (0.01, 0, -0.02); }
         joint table: planar(ground(0, 0, 0) [m], puck.sole, axis = (0.1, 0, 1));
-        joint above: planar(puck.lid, plate.under, axis = (0, 0.2, 1));
-        joint leg: point_on_plane(plate.tip, ground(0.3, 0, 0.01) [m], axis = (0, 0.1, 1));
+        joint above: planar(plate.under, puck.lid, axis = (0, 0.2, 1));
+        joint slope: point_on_plane(knob.foot, ground(0.5, 0, 0) [m], axis = (0.3, 0.1, 1));
+        spring tie: spring(plate.tip, knob.center, stiffness [N/m] = 60, length [m] = 0.3);
         force pushing: force(plate.tip) = (push, 0.3*push, 0 [N]);
         friction f_table: on(table) = coulomb(coefficient = grip, radius [mm] = 40, speed [m/s] = 0.05);
         friction f_above: on(above) = stribeck(static = 0.3, kinetic = 0.2, transition [m/s] = 0.2, radius [mm] = 25, speed [m/s] = 0.05, viscous [N*s/m] = 0.1);
-        friction f_leg: on(leg) = coulomb(coefficient = 0.15, speed [m/s] = 0.05, preload [N] = 1);
+        friction f_slope: on(slope) = coulomb(coefficient = 0.15, speed [m/s] = 0.05, preload [N] = 1);
         start { table.travel_1 [m] = 0; table.travel_2 [m] = 0; table.angle [deg] = 10; table.speed_1 [m/s] = 0.4; table.rate [rad/s] = 1;
-                above.travel_1 [m] = 0.02; above.travel_2 [m] ~ 0; above.angle [deg] ~ 5; }
+                above.travel_1 [m] = 0.02; above.travel_2 [m] = 0; above.angle [deg] = 5; knob.center.x [m] ~ 0.5; knob.center.y [m] ~ 0; knob.center.z [m] ~ 0.02; }
         options { friction_passes = 4; }
-        output pressed [N] = f_table.normal + f_above.normal + f_leg.normal;
-        output lost [W] = -power(f_table) - power(f_above) - power(f_leg);
+        output pressed [N] = f_table.normal + f_above.normal + f_slope.normal;
+        output lost [W] = -power(f_table) - power(f_above) - power(f_slope);
     }
 }
 
@@ -148,10 +150,10 @@ linkwright::mechanism! {
         joint wire: point_on_curve(ground(0, 0) [m], bead.center, y = 0.8 [1/m]*wire.parameter*wire.parameter - 0.2 [m]);
         joint slot: point_on_curve(slide.center, bead.center, y = 2*slot.parameter + 0.03 [m]*sin(slot.parameter/(0.1 [m])));
         force pushing: force(bead.center) = (push, 0 [N]);
-        friction f_wire: on(wire) = coulomb(coefficient = 0.2, speed [m/s] = 0.05);
-        friction f_slot: on(slot) = stribeck(static = 0.3, kinetic = 0.2, transition [m/s] = 0.2, speed [m/s] = 0.05, preload [N] = 1);
+        friction f_wire: on(wire) = coulomb(coefficient = 0.06, speed [m/s] = 0.05);
+        friction f_slot: on(slot) = stribeck(static = 0.06, kinetic = 0.04, transition [m/s] = 0.2, speed [m/s] = 0.05, preload [N] = 1);
         start { wire.parameter [m] = 0.2; wire.parameter_rate [m/s] = 0.7; slide.angle [deg] ~ 0; slot.parameter [m] ~ 0.1; }
-        options { friction_passes = 4; }
+        options { friction_passes = 6; }
         output pressed [N] = f_wire.normal + f_slot.normal;
         output lost [W] = -power(f_wire) - power(f_slot);
     }
