@@ -551,7 +551,6 @@ judged! {
     rubbed_threads: mechanisms::zoo_friction::RubbedThreads,
     sliding: mechanisms::zoo_friction::Sliding,
     bristly: mechanisms::zoo_bristles::Bristly,
-    bristly_loop: mechanisms::zoo_bristles::BristlyLoop,
 }
 
 judged! {
