@@ -150,10 +150,9 @@ class Kinematics:
 
     def tangent_of_curve(self, joint):
         """c′ of the curve at the parameter, in the axes of the first's body."""
-        own, way = copy.copy(self), ca.SX.sym("way", 2)
-        own.way = lambda _: way
-        slope = ca.jacobian(own.on_curve(joint), way[joint.graph])
-        return ca.substitute(slope, way, self.way(joint))
+        own, parameter = copy.copy(self), ca.SX.sym("parameter")
+        own.parameter = lambda _: parameter
+        return ca.substitute(ca.jacobian(own.on_curve(joint), parameter), parameter, self.parameter(joint))
 
     # The scope of laws, equations and loads.
 
