@@ -370,7 +370,9 @@ impl<'a, M: Model> Judge<'a, M> {
         }
         // But for whole turns.
         let turned = turns && users().all(|op| matches!(op, Op::Unary(Unary::Cos, _)));
-        !is_output && (negates || turned)
+        // A counted angle may do no more than to move a body along its screw, which changes nothing else.
+        let moved = turns && users().all(|op| matches!(op, Op::Mul(..)));
+        !is_output && (negates || turned || moved)
     }
 
     /// Whether a change is one of ε² alone in ε² + R·R.

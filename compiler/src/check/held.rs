@@ -83,7 +83,6 @@ fn moves(
         let gradient: Vec<(usize, f64)> =
             gap.columns.iter().map(|(column, node)| (*column, point.get(*node))).collect();
         let [left, whole] = here.squares(&gradient);
-        // Written so that a NaN is a motion.
-        !(left <= ROUNDING * whole)
+        left > ROUNDING * whole || left.is_nan()
     })
 }
