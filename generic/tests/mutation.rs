@@ -549,7 +549,6 @@ judged! {
     rubbed: mechanisms::zoo_friction::Rubbed,
     rubbed_loop: mechanisms::zoo_friction::RubbedLoop,
     rubbed_arm: mechanisms::zoo_friction::RubbedArm,
-    rubbed_faces: mechanisms::zoo_friction::RubbedFaces,
     rubbed_threads: mechanisms::zoo_friction::RubbedThreads,
     sliding: mechanisms::zoo_friction::Sliding,
     bristly: mechanisms::zoo_bristles::Bristly,
