@@ -120,7 +120,9 @@ pub(crate) fn foreign_statement(word: &str) -> Option<&'static str> {
         "hinge" | "pin" | "slider" => "write `joint name: kind(place, place);`",
         "print" | "measure" | "sensor" => "write `output name [unit] = value;`",
         "import" | "include" => "a mechanism stands in one macro as a whole",
-        "limit" | "limits" => "end stops are not there yet in this version",
+        "limit" | "limits" => {
+            "write `limit name: joint.angle [deg] in -90..20 = law;`, with the law of a contact"
+        }
         _ => return None,
     })
 }

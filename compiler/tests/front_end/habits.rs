@@ -97,7 +97,7 @@ const HABITS: &[(&str, &str)] = &[
     ),
     (
         "limits { base.angle in 0..1; }",
-        "no statement begins with `limits`; end stops are not there yet in this version",
+        "no statement begins with `limits`; write `limit name: joint.angle [deg] in -90..20 = law;`, with the law of a contact",
     ),
     ("# a comment", "expected an attribute in `[ ]`, found `a`; comments begin with `//`"),
     (
