@@ -14,7 +14,6 @@ use super::{contacts, messages};
 use crate::diagnostics::{Diagnostics, Lint};
 use crate::equations::{Equations, Jet};
 use crate::model::{Load, Mechanism};
-use std::ops::Range;
 
 /// What of |J|² is rounding.
 const ROUNDING: f64 = 1e-10;
@@ -35,8 +34,9 @@ pub fn held(
         return;
     }
     let gaps = contacts::gaps(mechanism, equations);
-    let moves = |jet: &Jet, rows| moves(mechanism, equations, assembly, jet, rows);
-    let by_joints = 0..rows - mechanism.drivers.len();
+    let moves = |jet: &Jet, admitted: &Admitted| moves(mechanism, equations, assembly, jet, admitted);
+    let by_joints = Admitted::new(equations, 0..rows - mechanism.drivers.len());
+    let by_all = Admitted::new(equations, 0..rows);
     let mut point = Point::at_start(mechanism, equations, assembly);
     point.evaluate(&Ancestry::of(equations, gaps.iter().map(|(_, jet)| jet.value)));
     for load in mechanism.loads.iter().filter(|load| load.is_contact()) {
@@ -53,28 +53,27 @@ pub fn held(
         let is_rigid = !load.restitutions.is_empty();
         let least = own.iter().map(|jet| point.get(jet.value)).fold(f64::INFINITY, f64::min);
         let is_allowed = mechanism.allowed.covers(Lint::NoEffect, at);
-        if own.iter().all(|jet| !moves(jet, by_joints.clone())) {
+        if own.iter().all(|jet| !moves(jet, &by_joints)) {
             if is_rigid && least < CLOSED {
                 errors.error(at, messages::never_parts(name));
             } else if !is_allowed {
                 let message = messages::gap_is_held(name, least, contacts::is_angle(load));
                 warnings.warning(Lint::NoEffect, at, message);
             }
-        } else if is_rigid && !is_allowed && own.iter().all(|jet| !moves(jet, 0..rows)) {
+        } else if is_rigid && !is_allowed && own.iter().all(|jet| !moves(jet, &by_all)) {
             warnings.warning(Lint::NoEffect, at, messages::gap_is_driven(name));
         }
     }
 }
 
-/// Whether some velocity that these rows allow changes a gap, at one of the positions along the motion.
+/// Whether some velocity that is admitted changes a gap, at one of the positions along the motion.
 fn moves(
     mechanism: &Mechanism,
     equations: &Equations,
     assembly: &Assembly,
     gap: &Jet,
-    rows: Range<usize>,
+    admitted: &Admitted,
 ) -> bool {
-    let admitted = Admitted::new(equations, rows);
     let ancestry = Ancestry::of_jets(equations, [gap]);
     let mut point = Point::at_defaults(mechanism, equations, &assembly.phases);
     assembly.along.iter().any(|q| {

@@ -1,7 +1,7 @@
 //! Friction by reactions that presses harder by itself than it lets go, and friction that nothing presses.
 //!
-//! At positions along the motion, with what slides at speeds of 1 rad/s or m/s along some ways that joints admit, and at all speeds of the start, the loop for N is taken as often as
-//! the generated functions take it. What it leaves open is little in sound mechanisms, and much where there is no solution, or two (Painlevé).
+//! At the start, and at positions along the motion with speeds of up to 1 rad/s or m/s along some ways that joints admit, the loop for N is taken as often
+//! as the generated functions take it. What it leaves open is little in sound mechanisms, and much where there is no solution, or two (Painlevé).
 
 use super::admitted::Admitted;
 use super::assemble::{Ancestry, Assembly, Point};
@@ -18,6 +18,7 @@ const NOTHING: f64 = 100.0;
 /// Ways that are tried at each position, to and fro.
 const WAYS: usize = 3;
 
+/// Warns of the friction of which most is open, or of those that nothing presses. Parameters have their defaults, inputs are zero.
 pub fn locks(
     mechanism: &Mechanism,
     equations: &Equations,
