@@ -43,6 +43,8 @@ pub(crate) enum Kind {
     Pin,
     /// What presses is the whole force.
     Any,
+    /// What presses is the whole force, and what the radius makes of the torque.
+    Knuckle,
     Rail,
     /// What presses is the force along the axis.
     Face,
@@ -160,6 +162,7 @@ impl Friction {
         let across = |vector: V3| minus(vector, times(dot(axis, vector), axis));
         match self.kind {
             Kind::Any => vec![force],
+            Kind::Knuckle => vec![force, times(1.0 / self.radius, torque)],
             Kind::Face => vec![times(dot(axis, force), axis)],
             Kind::Thread(by) => vec![times(by * dot(axis, force), axis), across(force)],
             Kind::Pin => {

@@ -31,6 +31,7 @@ const REFUSED: &[(&str, &str)] = &[
     ("remembering", "memories and events"),
     ("remembering_brakes", "memories and events"),
     ("remembering_impacts", "memories and events"),
+    ("remembering_touches", "memories and events"),
     ("rimless_wheel", RIGID),
     ("rubbed_wire", "friction along a curve"),
     ("rubbing_flexible_block", MODAL),

@@ -15,6 +15,8 @@ from expressions import entry, evaluate
 
 REFINED = 3  # passes of Newton's method for the foot on a profile
 FINE = 2.0**50
+SLOWEST = 1e-3  # m/s or rad/s
+PARALLEL = 1e-8  # sin² of the angle between bars
 TINY = 1e-24  # m²: below it a distance is none
 ROUND = ("point", "circle", "sphere")
 FLAT = ("half_plane", "plane")
@@ -134,6 +136,10 @@ class Contacts:
         """Where the surfaces of a contact touch: points, and normals to the side of the first of the pair."""
         contact = find(self.definition, name)
         one, other = self._ordered(contact["first"], contact["second"])
+        if one["kind"] == other["kind"] == "capsule":
+            _, [point], _ = self._bars(one, other)
+            foot = self._feet(one, other)
+            return [(point, (foot[0] - foot[1]) / length(foot[0] - foot[1]))]
         if one["kind"] not in ROUND:
             normal = self._flat(other)[1]
             return [(point, normal) for point in self._pair(one, other)[1]]
@@ -184,7 +190,8 @@ class Contacts:
                 self._forces[name] = [ca.if_else(self.gates[key] > 0.5, law, 0) for key, law in zip(keys, self.laws(name))]
             else:
                 pushed = zip(gaps, self.laws(name))
-                self._forces[name] = [ca.if_else(gap < 0, ca.if_else(law > 0, law, 0), 0) for gap, law in pushed]
+                pulls = bool(contact["law"].get("adhesion"))
+                self._forces[name] = [ca.if_else(gap < 0, law if pulls else ca.if_else(law > 0, law, 0), 0) for gap, law in pushed]
         return self._forces[name]
 
     def laws(self, name):
@@ -195,6 +202,11 @@ class Contacts:
             found.append(ca.SX(0) if is_rigid(contact) else self._law(contact["law"], gap, name))
             self.own = outer
         return found
+
+    def pressing(self, name):
+        """Positive where a closed gap stays closed: what adheres parts by its gap alone."""
+        law = find(self.definition, name)["law"]
+        return [ca.SX(1) if law.get("adhesion") else found for found in self.laws(name)]
 
     def closed(self, name):
         """Whether surfaces touch, at each gap."""
@@ -287,24 +299,52 @@ class Contacts:
             elastic = given("force") * _power((on if exponent == 1 else depth) / given("depth"), exponent)
         elif kind == "hertz":
             elastic = self._hertz(law, name) * _power(depth, 1.5)
+        elif kind == "hertz_line":
+            elastic = self._line(law, name, depth)
         else:
             raise ValueError(f"`{name}` has the unknown law `{kind}`")
         loss = given("dissipation")
         if law.get("restitution"):
             word = law["damping"]["value"]["name"].rpartition(".")[2] if law.get("damping") else "exact"
-            loss = dissipation(float(given("restitution")), word) / given("speed")
+            loss = dissipation(float(given("restitution")), word) / self._impact_speed(law, given, name)
         factor = 1 + loss * rate
-        return elastic * (factor if self.is_held(name) else ca.if_else(factor > 0, factor, 0))
+        return elastic * (factor if self.is_held(name) or law.get("adhesion") else ca.if_else(factor > 0, factor, 0))
+
+    def _impact_speed(self, law, given, name):
+        """As stated, or that of the touch that lasts, but not less than the slowest that counts."""
+        kept = self.model.values.get(f"{name}.speed")
+        if kept is None:
+            return given("speed")
+        slowest = given("slowest", SLOWEST)
+        return ca.if_else(kept > slowest, kept, slowest)
 
     def _hertz(self, law, name):
         contact = find(self.definition, name)
         radius = self._between(contact["first"], contact["second"])[2]
+        return 4 * ca.sqrt(radius) / (3 * self._compliance(law))
+
+    def _line(self, law, name, depth):
+        """F of d = F/(π E l) (ln(4 π E l ΔR/F) − 1), up to d = 4 ΔR/e³ and from there along the tangent. F = π E l d/s, s − ln s = ln(4 ΔR/d) − 1,
+        which s ← ln(4 ΔR/d) − 1 + ln s approaches by a third at each pass at least."""
+        contact = find(self.definition, name)
+        one, other = self._ordered(contact["first"], contact["second"])
+        radii = self._size(other, "radius") + self._size(one, "radius") * (-1 if other["kind"] == "hole" else 1)
+        stiffness = math.pi * entry(law["length"], self.model) / self._compliance(law)
+        most, least = 4 * radii * math.exp(-3), 1e-12 * radii
+        within = ca.if_else(depth < most, ca.if_else(depth > least, depth, least), most)
+        eta, last = ca.log(4 * radii / within) - 1, 2.0
+        s = eta
+        for _ in range(40):
+            s, last = eta + ca.log(s), 2 + math.log(last)
+        return stiffness * ca.if_else(depth < most, depth / s, most / last + (depth - most) / (last - 1))
+
+    def _compliance(self, law):
         compliance = ca.SX(0)
         for which in ("first", "second"):
             wanted = law[which]["value"]["name"]
             material = next(material for material in self.definition["materials"] if material["name"] == wanted)
             compliance += (1 - entry(material["poisson"], self.model) ** 2) / entry(material["modulus"], self.model)
-        return 4 * ca.sqrt(radius) / (3 * compliance)
+        return compliance
 
     # Surfaces.
 
@@ -360,6 +400,8 @@ class Contacts:
         kind, against = one["kind"], other["kind"]
         if kind in ROUND:
             return self._round(self._at(one), one, other)
+        if kind == against == "capsule":
+            return self._bars(one, other)
         if against in ("half_plane", "plane") and kind in ("segment", "capsule", "polygon"):
             foot, normal = self._flat(other)
             radius = self._size(one, "radius", ca.SX(0))
@@ -417,6 +459,28 @@ class Contacts:
         out = center - other
         gap = length(out) - radius - own
         return [gap], [other + out / length(out) * (own + gap / 2)], radius * own / (radius + own)
+
+    def _bars(self, one, other):
+        a, b = self._feet(one, other)
+        radii = [self._size(surface, "radius", ca.SX(0)) for surface in (one, other)]
+        gap = length(a - b) - radii[0] - radii[1]
+        return [gap], [b + (a - b) / length(a - b) * (radii[1] + gap / 2)], None
+
+    def _feet(self, one, other):
+        """The nearest points of two bars, in world axes: free ones of the whole lines, then each nearest to the other within its ends."""
+        ends = [[self._at(surface, which) for which in (0, 1)] for surface in (one, other)]
+        (p, u), (q, v) = [(start, (end - start) / length(end - start)) for start, end in ends]
+        long = [length(end - start) for start, end in ends]
+
+        def within(x, most):
+            return ca.if_else(x < 0, 0, ca.if_else(x > most, most, x))
+
+        cosine = ca.dot(u, v)
+        sine = 1 - cosine**2
+        sine = ca.if_else(sine > PARALLEL, sine, PARALLEL)
+        free = within(ca.dot(q - p, u - cosine * v) / sine, long[0])
+        there = q + v * within(ca.dot(p + u * free - q, v), long[1])
+        return p + u * within(ca.dot(there - p, u), long[0]), there
 
     def _within(self, center, surface):
         """A place and those of a surface from the first of these, along the axes of its body: terms that turn cancel before they count."""

@@ -104,7 +104,7 @@ class Energies:
             return [ca.SX(0)] * len(touching.slidings(name))
 
         self.gaps = all_of(names, lambda name: touching.gaps(name)[0], nothing)
-        self.laws = all_of(names, touching.laws, nothing)
+        self.laws = all_of(names, touching.pressing, nothing)
         self.assignments = ca.SX(0, 1)
         if self.model.events or self.model.memories:
             gaps, forces = memories.guards(self.model, kinematics)

@@ -14,7 +14,7 @@ import contacts
 from expressions import entry, evaluate
 
 KINDS = ("coulomb", "stribeck", "dry", *bristles.KINDS)
-TURNING = ("revolute", "universal", "spherical")
+TURNING = ("revolute", "universal", "spherical", "constant_velocity")
 FACES = ("planar", "point_on_plane")
 SMALLEST = 1e-9  # of the weight
 STANDARD_GRAVITY = 9.80665
@@ -52,7 +52,7 @@ def slips(load, kinematics):
         return [([(kinematics.rotor_rate(load["on"]), one)], radius)]
     if joint.kind == "universal":
         return [([(kinematics.joint_rate(joint, f"angle_{k}"), one)], radius) for k in (1, 2)]
-    if joint.kind == "spherical":
+    if joint.kind in ("spherical", "constant_velocity"):
         relative = kinematics.spin(joint.second.body) - kinematics.spin(joint.first.body)
         return [([(relative[k], one) for k in range(3)], radius)]
     if joint.kind in FACES:
@@ -164,6 +164,8 @@ def pressing(load, kinematics, force, torque, small):
     length = entry(length, kinematics) if length else None
     if joint.kind in ("universal", "spherical") or kinematics.model.dimension == 2 and joint.kind == "revolute":
         return size(force)
+    if joint.kind == "constant_velocity":
+        return size(force) + size(torque / value(load, "radius", kinematics))
     if joint.kind == "point_on_curve":
         slope = kinematics.pose(joint.first.body).turn(kinematics.tangent_of_curve(joint))
         return size((slope[0] * force[1] - slope[1] * force[0]) / ca.norm_2(slope))

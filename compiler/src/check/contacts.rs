@@ -84,9 +84,9 @@ pub fn contacts(
             continue;
         }
         let gap = point.get(jet.value);
+        let moved = jet.columns.iter().map(|(column, node)| point.get(*node) * assembly.v[*column]);
+        let rate = point.get(jet.drift) + moved.sum::<f64>();
         if !load.restitutions.is_empty() {
-            let moved = jet.columns.iter().map(|(column, node)| point.get(*node) * assembly.v[*column]);
-            let rate = point.get(jet.drift) + moved.sum::<f64>();
             if gap < -ROUNDING {
                 said = Some(name);
                 errors.error(at, messages::rigid_inside(name, -gap, is_angle(load)));
@@ -96,11 +96,22 @@ pub fn contacts(
             }
             continue;
         }
+        if keeps_speed(mechanism, load) && gap < ROUNDING && rate < -ROUNDING {
+            said = Some(name);
+            errors.error(at, messages::starts_in_a_touch(name, -rate, is_angle(load)));
+            continue;
+        }
         if gap < -ROUNDING && !mechanism.allowed.covers(Lint::Penetration, at) {
             said = Some(name);
             errors.error(at, messages::penetration(name, -gap, is_angle(load)));
         }
     }
+}
+
+/// Whether its law is told the speed of each touch.
+fn keeps_speed(mechanism: &Mechanism, load: &Load) -> bool {
+    let of = |id: LoadId| mechanism.loads.get(id.0).is_some_and(|it| it.name.text == load.name.text);
+    mechanism.memories.iter().filter_map(|memory| memory.touch_of).any(of)
 }
 
 /// The blow of each contact with a named law, at the start; an error where one is shorter than is expected.

@@ -366,6 +366,15 @@ pub fn rigid_closing(name: &str, speed: f64, angle: bool) -> String {
     )
 }
 
+pub fn starts_in_a_touch(name: &str, speed: f64, angle: bool) -> String {
+    let unit = if angle { "rad/s" } else { "m/s" };
+    format!(
+        "at the start `{name}` touches already and closes further, at {} {unit}, and `speed = touch` is the speed with which a touch began, which nobody \
+         can say here: begin where the contact is open, or state the speed, `speed [m/s] = 1`",
+        number(speed)
+    )
+}
+
 pub fn rigid_with_friction(friction: &str, name: &str) -> String {
     format!(
         "what the rigid `{name}` exerts at a touch is an impulse, in which only `dry` friction at the contact itself has a share: write that, \

@@ -51,6 +51,8 @@ pub enum ContactLaw {
     KelvinVoigt,
     HuntCrossley,
     Hertz,
+    /// Hertz, along a line.
+    HertzLine,
     Rigid,
 }
 
@@ -157,7 +159,11 @@ const DISSIPATION: Argument = Argument::of("dissipation", Need::Never, Value::Of
 const RESTITUTION: Argument = Argument::scalar("restitution", Need::Never, Dimension::ONE);
 const REST: Argument = Argument::of("rest", Need::Never, Value::OfGap);
 const SPEED: Argument = Argument::of("speed", Need::Never, Value::OfGap);
+/// What counts as the speed of a touch at least, of `speed = touch`.
+const SLOWEST: Argument = Argument::of("slowest", Need::Never, Value::OfGap);
 const DAMPING: Argument = Argument::of("damping", Need::Never, Value::Word);
+/// `on`: what the law has below zero pulls.
+const ADHESION: Argument = Argument::of("adhesion", Need::Never, Value::Word);
 
 /// All laws. What their arguments measure follows from what the gap does.
 pub static CONTACT_LAWS: &[ContactLawForm] = &[
@@ -170,6 +176,7 @@ pub static CONTACT_LAWS: &[ContactLawForm] = &[
                 Argument::of("stiffness", Need::Always, Value::OfGap),
                 Argument::of("damping", Need::Never, Value::OfGap),
                 Argument::scalar("release", Need::Never, Dimension::ONE),
+                ADHESION,
             ],
         },
         kind: ContactLaw::KelvinVoigt,
@@ -187,7 +194,9 @@ pub static CONTACT_LAWS: &[ContactLawForm] = &[
                 DISSIPATION,
                 RESTITUTION,
                 SPEED,
+                SLOWEST,
                 DAMPING,
+                ADHESION,
             ],
         },
         kind: ContactLaw::HuntCrossley,
@@ -204,11 +213,33 @@ pub static CONTACT_LAWS: &[ContactLawForm] = &[
                 DISSIPATION,
                 RESTITUTION,
                 SPEED,
+                SLOWEST,
                 DAMPING,
+                ADHESION,
             ],
         },
         kind: ContactLaw::Hertz,
         force: "K d^1.5 max(0, 1 + b ḋ), K by moduli and radii",
+    },
+    ContactLawForm {
+        call: Form {
+            word: "hertz_line",
+            elsewhere: &[],
+            positional: &[],
+            named: &[
+                Argument::of("first", Need::Always, Value::Word),
+                Argument::of("second", Need::Always, Value::Word),
+                Argument::scalar("length", Need::Always, Dimension::LENGTH),
+                DISSIPATION,
+                RESTITUTION,
+                SPEED,
+                SLOWEST,
+                DAMPING,
+                ADHESION,
+            ],
+        },
+        kind: ContactLaw::HertzLine,
+        force: "F max(0, 1 + b ḋ), d = F/(π E l) (ln(4 π E l (R₁ ± R₂)/F) − 1), E by moduli, l the length",
     },
     ContactLawForm {
         call: Form { word: "rigid", elsewhere: &[], positional: &[], named: &[RESTITUTION, REST] },

@@ -86,6 +86,8 @@ pub enum Bearing {
     Cross,
     /// A ball in its socket: about any axis.
     Ball,
+    /// The balls of a joint between shafts that keep their speed: about any axis, pressed by the torque that they hand on too.
+    Knuckle,
     /// A rail: along its travel.
     Rail,
     /// A rod in a sleeve: along its travel and about its angle.
@@ -105,7 +107,7 @@ pub enum Bearing {
 impl Bearing {
     /// Whether its surfaces turn on each other and do not shift: friction is then a torque, by a radius.
     pub fn turns(self) -> bool {
-        matches!(self, Self::Pin | Self::Cross | Self::Ball)
+        matches!(self, Self::Pin | Self::Cross | Self::Ball | Self::Knuckle)
     }
 
     /// Along how many coordinates its surfaces slide; of a sleeve or face along one less where nothing says its radius.
@@ -115,7 +117,7 @@ impl Bearing {
             Self::Sleeve => 1 + usize::from(radius),
             Self::Face => 2 + usize::from(radius),
             Self::Cross | Self::Spot => 2,
-            Self::Ball => 3,
+            Self::Ball | Self::Knuckle => 3,
         }
     }
 
@@ -126,7 +128,7 @@ impl Bearing {
 
     /// Whether friction resists the size of the sliding along all coordinates, and not each by itself.
     pub fn slides_as_one(self) -> bool {
-        matches!(self, Self::Sleeve | Self::Ball | Self::Face | Self::Spot)
+        matches!(self, Self::Sleeve | Self::Ball | Self::Knuckle | Self::Face | Self::Spot)
     }
 }
 

@@ -159,7 +159,7 @@ pub(crate) fn no_such_pair(first: &str, second: &str, space: Space) -> String {
             "a point or circle meets a half_plane, circle, hole, segment, polygon or profile; a segment or polygon meets a half_plane"
         }
         Space::Spatial => {
-            "a point or sphere meets a plane, sphere, capsule, cylinder, ball_socket or bore; a capsule or disk_rim meets a plane"
+            "a point or sphere meets a plane, sphere, capsule, cylinder, ball_socket or bore; a capsule meets a plane or capsule, a disk_rim a plane"
         }
     };
     format!(
@@ -286,8 +286,49 @@ pub(crate) fn restitution_too_small(found: f64) -> String {
     )
 }
 
-pub(crate) fn speed_of_touch() -> String {
-    "the speed of each touch would be a memory of it, which is not there yet; write the speed that is expected, `speed [m/s] = 1`".to_string()
+/// `rigid`: a contact beside which gates cannot be held.
+pub(crate) fn speed_of_touch(rigid: Option<&str>) -> String {
+    match rigid {
+        None => "`speed = touch` needs `options { contact = held; }`, where each touch is found and its speed kept; or state the speed that is expected, \
+                 `speed [m/s] = 1`"
+            .to_string(),
+        Some(rigid) => format!(
+            "`speed = touch` needs held gates, which beside `{rigid}`, a rigid contact, what yields does not have yet: state the speed that is expected, \
+             `speed [m/s] = 1`"
+        ),
+    }
+}
+
+pub(crate) fn touches_at_several(name: &str, gaps: usize) -> String {
+    format!(
+        "`{name}` may touch at {gaps} places one after the other, each with a speed of its own: write a contact for each place, as of points or \
+         circles, or state the speed that is expected, `speed [m/s] = 1`"
+    )
+}
+
+pub(crate) fn slowest_of_one_speed() -> String {
+    "`slowest` is the least that counts where each touch has its own speed, `speed = touch`; where one is stated, leave it out".to_string()
+}
+
+pub(crate) fn keeps_no_speed(name: &str) -> String {
+    format!(
+        "`{name}` keeps no speed: a contact does whose law is told `speed = touch` beside its `restitution`; `{name}.closing` is how fast it closes now"
+    )
+}
+
+pub(crate) fn hertz_line_without_radii(space: Space) -> String {
+    match space {
+        Space::Planar => {
+            "`hertz_line` is of cylinders that lie along each other, here two circles, or a circle in a hole: on what is flat the approach of a line \
+             contact grows with the depth of the body and has no value; write `hunt_crossley(force [N] = …, depth [mm] = …, …)`, one point of the \
+             measured curve"
+        }
+        Space::Spatial => {
+            "`hertz_line` is of cylinders that lie along each other, which in space no pair of surfaces holds to: write `hertz(…)` of what touches at a \
+             point, or `hunt_crossley(force [N] = …, depth [mm] = …, …)`, one point of the measured curve"
+        }
+    }
+    .to_string()
 }
 
 pub(crate) fn holds_nothing() -> String {

@@ -71,7 +71,7 @@ pub(crate) fn no_bearing(joint: &str, kind: &str, slides: bool) -> String {
         false => format!("no surfaces slide on each other in `{joint}`, a {kind} joint"),
     };
     format!(
-        "{why}: friction acts in revolute, prismatic, cylindrical, spherical, universal, planar and screw joints and where a point slides along a line or \
+        "{why}: friction acts in revolute, prismatic, cylindrical, spherical, universal, constant_velocity, planar and screw joints and where a point slides along a line or \
          curve or on a plane"
     )
 }
@@ -79,6 +79,13 @@ pub(crate) fn no_bearing(joint: &str, kind: &str, slides: bool) -> String {
 pub(crate) fn bearing_of_particle(joint: &str) -> String {
     format!(
         "`{joint}` is a joint of a particle, which does not turn: its friction would do nothing; make it a body with inertia"
+    )
+}
+
+pub(crate) fn knuckle_that_holds(name: &str, joint: &str) -> String {
+    format!(
+        "`{joint}` swings about two axes that turn with it, along which `{name}` would hold, and friction that sticks is not there yet: write \
+         `lugre(…)` or `asperity(…)`, which hold but for a creep, or `coulomb(…)`"
     )
 }
 

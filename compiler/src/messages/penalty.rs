@@ -22,7 +22,8 @@ pub(crate) fn load_instead_of_penalty(joint: &str, form: &JointForm) -> Option<S
     }
     if form.spans == Spans::Curve {
         return Some(format!(
-            "`{joint}` holds its place on a curve, and a curve that yields is not there yet: leave `= penalty(…)` out"
+            "a {kind} that yields is a force along how far its place is off the curve: write `force {joint}: along(off) = -stiffness*(off)`, off an \
+             expression of positions such as `bead.center.y - 2 [1/m]*bead.center.x^2`, in place of the joint"
         ));
     }
     form.winds().then(|| {

@@ -58,7 +58,7 @@ impl<'d> Lowering<'d> {
                     Bearing::Pin => &["normal", "torque", "rate"],
                     Bearing::Rail | Bearing::Point => &["normal", "force", "sliding"],
                     Bearing::Thread => &["normal", "force"],
-                    Bearing::Cross | Bearing::Ball | Bearing::Sleeve => &["normal"],
+                    Bearing::Cross | Bearing::Ball | Bearing::Knuckle | Bearing::Sleeve => &["normal"],
                     Bearing::Face | Bearing::Spot | Bearing::Curve => &["normal"],
                 };
                 (JointId(index), names)
@@ -101,6 +101,10 @@ impl<'d> Lowering<'d> {
             slides_as_it_holds(load, values);
         }
         let (name, joint) = (&load.name.text, &self.definition.joints[joint.0].name.text);
+        if load.form.holds && bearing == Bearing::Knuckle {
+            self.diagnostics.error(load.name.region, messages::knuckle_that_holds(name, joint));
+            return None;
+        }
         let arguments = load.form.call.named.iter();
         let value = |name: &str| {
             let at = arguments.clone().position(|argument| argument.name == name)?;
@@ -116,7 +120,7 @@ impl<'d> Lowering<'d> {
         let ends = match bearing {
             Bearing::Pin => spatial,
             Bearing::Rail | Bearing::Sleeve => true,
-            Bearing::Cross | Bearing::Ball | Bearing::Point | Bearing::Face => false,
+            Bearing::Cross | Bearing::Ball | Bearing::Knuckle | Bearing::Point | Bearing::Face => false,
             Bearing::Spot | Bearing::Curve | Bearing::Thread => false,
         };
         let kind = form.call.word;

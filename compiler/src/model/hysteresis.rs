@@ -164,7 +164,7 @@ impl Lowering<'_> {
     fn components(&self, load: &Load, loads: &[Load]) -> usize {
         match load.on.first() {
             Some(Subject::Bearing(joint, _)) => match self.definition.joints[joint.0].form.bearing {
-                Some(Bearing::Ball | Bearing::Face) => 3,
+                Some(Bearing::Ball | Bearing::Knuckle | Bearing::Face) => 3,
                 Some(Bearing::Cross | Bearing::Sleeve | Bearing::Spot) => 2,
                 Some(Bearing::Pin | Bearing::Rail | Bearing::Point | Bearing::Curve | Bearing::Thread)
                 | None => 1,

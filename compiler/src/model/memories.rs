@@ -9,7 +9,7 @@
 
 use super::lower::{Lowering, Use, declared, declared_unit, name};
 use super::names::Value;
-use super::{Coordinate, DeclaredUnit, Driver, Expr, Function2, Mechanism, MemoryId, Name, Quantity, fold};
+use super::{Coordinate, DeclaredUnit, Driver, Expr, Function2, LoadId, Mechanism, MemoryId, Name, Quantity, fold};
 use crate::messages;
 use crate::syntax::{self, OptionEntry, TermKind, Way};
 use crate::units::Dimension;
@@ -28,6 +28,8 @@ pub struct Memory {
     pub docs: String,
     /// SI.
     pub start: f64,
+    /// The contact whose speed at each touch it is.
+    pub touch_of: Option<LoadId>,
 }
 
 /// What sets memories.
@@ -110,12 +112,33 @@ impl Mechanism {
 
 impl<'d> Lowering<'d> {
     pub fn memory(&mut self, memory: &'d syntax::Memory) -> Option<Memory> {
+        let (unit, touch_of) = match self.touched(memory) {
+            None => (declared_unit(memory.entry.unit.as_ref()), None),
+            Some(contact) => {
+                let si = self.speed_of_contact(contact)?.to_string();
+                (DeclaredUnit { text: si.clone(), scale: 1.0, si }, Some(self.load_of_contact(contact)))
+            }
+        };
         Some(Memory {
             name: name(&memory.name),
-            unit: declared_unit(memory.entry.unit.as_ref()),
+            unit,
             docs: memory.docs.to_string(),
             start: self.declared_number("memory", &memory.name.text, &memory.entry)?,
+            touch_of,
         })
+    }
+
+    /// The contact whose speed at each touch it is.
+    fn touched(&self, memory: &'d syntax::Memory) -> Option<usize> {
+        self.contact_named(&memory.touch_of.as_ref()?.text)
+    }
+
+    pub(super) fn dimension_of_memory(&mut self, index: usize) -> Option<Dimension> {
+        let memory = &self.definition.memories[index];
+        match self.touched(memory) {
+            Some(contact) => self.speed_of_contact(contact),
+            None => Some(declared(memory.entry.unit.as_ref())),
+        }
     }
 
     /// All events. What they name is known.
@@ -225,7 +248,7 @@ impl<'d> Lowering<'d> {
             self.diagnostics.error(memory.region, message);
             return None;
         };
-        let dimension = declared(self.definition.memories[index].entry.unit.as_ref());
+        let dimension = self.dimension_of_memory(index)?;
         let value = self.expect_dimension(typed?, dimension, &messages::quoted(&memory.text))?;
         Some((MemoryId(index), value))
     }

@@ -256,7 +256,7 @@ impl Lowering<'_> {
                 Some(Value::Memory(index)) => {
                     self.used.insert((Scope::Value, &self.definition.memories[index].name.text));
                     self.permit(usage.states, path, "a memory", usage)?;
-                    let dimension = declared(self.definition.memories[index].entry.unit.as_ref());
+                    let dimension = self.dimension_of_memory(index)?;
                     return typed(Expr::Memory(MemoryId(index)), dimension);
                 }
                 Some(Value::Signal(index)) => return self.signal_at(index, path, usage),

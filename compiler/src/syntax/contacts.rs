@@ -133,7 +133,8 @@ impl Parser<'_> {
         let law = if known {
             let forms: Vec<&Form> = laws.iter().map(|law| &law.call).collect();
             let start = c.region();
-            let (which, arguments) = self.call_of(c, &forms, "law")?;
+            let (which, mut arguments) = self.call_of(c, &forms, "law")?;
+            self.remember_touches(&name, &mut arguments.named);
             ContactLawTerm::Named(&laws[which], arguments.named, start.to(c.previous()))
         } else if is_call_by_names(c) {
             let word = c.word().unwrap_or_default();

@@ -518,6 +518,8 @@ pub struct Memory {
     pub name: Label,
     pub docs: TokenStream,
     pub entry: Entry,
+    /// The contact whose speed at each touch it is, so that it measures what goes with the gap.
+    pub touch_of: Option<Label>,
 }
 
 /// `event name: occasion { memory = value; … jump(speed) = value; }`

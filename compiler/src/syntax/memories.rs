@@ -22,7 +22,7 @@ impl Parser<'_> {
         }
         let entry = self.entry(c, unit)?;
         self.semicolon(c)?;
-        self.definition.memories.push(Memory { name, docs, entry });
+        self.definition.memories.push(Memory { name, docs, entry, touch_of: None });
         Ok(())
     }
 

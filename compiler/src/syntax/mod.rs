@@ -63,6 +63,7 @@ mod statements;
 mod tables;
 mod token;
 mod toothings;
+mod touches;
 mod unread;
 
 pub use definition::*;

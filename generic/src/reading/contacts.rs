@@ -1,61 +1,23 @@
 //! Surfaces, contacts and limits: gaps as expressions of positions, forces along them where they are closed.
 //!
-//! A gap is positive apart. Distances are √max(s, ε²), which has a slope where two places meet.
+//! Gaps of two surfaces stand in `pairs`.
 
 use super::laws::{LawReader, May};
 use super::{Read, Reader};
 use crate::error::DefinitionError;
 use crate::expression::{Expression, Function, Operator};
 use crate::json::{field, list, name, optional, text};
-use crate::kinematics::{Place, Section};
+use super::pairs::{Meeting, Shape};
+use crate::kinematics::Place;
 use crate::load::{Acts, Load};
-use crate::quantity::Quantity;
-use crate::table::{Look, Table};
+use crate::table::Table;
 use crate::vector::*;
 use serde_json::Value;
+use std::f64::consts::PI;
 use std::sync::Arc;
 
-/// m².
-const TINY: f64 = 1e-24;
-
-/// A surface in SI.
-enum Shape {
-    Round(Place, f64),
-    Hollow(Place, f64),
-    /// A place and the way out, in the axes of its body.
-    Flat(Place, V3),
-    Bar([Place; 2], f64),
-    Polygon(Vec<Place>),
-    Cylinder {
-        place: Place,
-        axis: V3,
-        radius: f64,
-        length: Option<f64>,
-        bore: bool,
-    },
-    Rim(Place, V3, f64),
-    /// A closed curve about a place, with its base.
-    Profile(Place, Arc<Table>),
-}
-
-/// Where two surfaces may touch.
-pub(super) struct Meeting {
-    pub gap: Expression,
-    pub point: Option<[Expression; 3]>,
-    /// Of both curvatures.
-    radius: Option<f64>,
-    pub between: Option<Between>,
-}
-
-/// What meets.
-pub(super) struct Between {
-    pub first: Place,
-    pub second: Place,
-    /// Of a first that is round.
-    pub radius: Option<f64>,
-    /// Whether the two are written the other way round.
-    pub reversed: bool,
-}
+/// Beyond it s does not change.
+const REPEATED: usize = 40;
 
 impl<'t> Reader<'t> {
     pub(super) fn read_contacts(&self) -> Read<Vec<Load>> {
@@ -240,7 +202,7 @@ impl LawReader<'_, '_> {
     }
 
     pub(super) fn force(&mut self, node: &Value, own: &str, which: usize) -> Read<Expression> {
-        let Meeting { gap, radius, .. } = self.meetings(node, own)?.swap_remove(which);
+        let Meeting { gap, radius, radii, .. } = self.meetings(node, own)?.swap_remove(which);
         let law = field(node, "law", own)?;
         let kind = text(law, "kind", own)?;
         if kind == "rigid" {
@@ -260,6 +222,8 @@ impl LawReader<'_, '_> {
             two(Operator::Max, value, zero())
         } else {
             let closing = minus_of(self.rate(gap.clone())?);
+            let adheres = optional(law, "adhesion").is_some();
+            let pushing = |force| if adheres { force } else { two(Operator::Max, force, zero()) };
             if kind == "kelvin_voigt" {
                 let release = reader.entry_of(law, "release", own)?.unwrap_or(1.0);
                 let damping = given("damping")?;
@@ -267,7 +231,7 @@ impl LawReader<'_, '_> {
                 let factor = [inwards, Expression::Number(damping), Expression::Number(release * damping)];
                 let resisted = times_of(Expression::If(Box::new(factor)), closing);
                 let elastic = scaled(given("stiffness")?, two(Operator::Max, inside, zero()));
-                two(Operator::Max, plus_of(elastic, resisted), zero())
+                pushing(plus_of(elastic, resisted))
             } else {
                 let elastic = match kind {
                     "hunt_crossley" => {
@@ -281,6 +245,14 @@ impl LawReader<'_, '_> {
                             reader.compliance(law, "first", own)? + reader.compliance(law, "second", own)?;
                         scaled(4.0 * radius.sqrt() / (3.0 * compliance), powered(inside, 1.5))
                     }
+                    "hertz_line" => {
+                        let radii = radii
+                            .ok_or_else(|| DefinitionError::value(own, "surfaces without curvature"))?;
+                        let compliance =
+                            reader.compliance(law, "first", own)? + reader.compliance(law, "second", own)?;
+                        let stiffness = PI * reader.needed(law, "length", own)? / compliance;
+                        scaled(stiffness, along_a_line(inside, radii))
+                    }
                     kind => return Err(DefinitionError::kind(own, kind)),
                 };
                 let mut loss = given("dissipation")?;
@@ -291,7 +263,7 @@ impl LawReader<'_, '_> {
                     loss = dissipation(e, word) / given("speed")?;
                 }
                 let factor = plus_of(Expression::Number(1.0), scaled(loss, closing));
-                times_of(elastic, two(Operator::Max, factor, zero()))
+                times_of(elastic, pushing(factor))
             }
         };
         let touches = two(Operator::Less, gap, zero());
@@ -299,7 +271,7 @@ impl LawReader<'_, '_> {
     }
 
     pub(super) fn meetings(&mut self, node: &Value, own: &str) -> Read<Vec<Meeting>> {
-        let of = |gap| vec![Meeting { gap, point: None, radius: None, between: None }];
+        let of = |gap| vec![Meeting { gap, point: None, radius: None, radii: None, between: None }];
         match text(node, "kind", own)? {
             "gap" => Ok(of(self.expression(field(node, "expression", own)?)?)),
             "limit" => {
@@ -326,197 +298,6 @@ impl LawReader<'_, '_> {
             }
         }
     }
-
-    fn pair(&mut self, one: &Shape, other: &Shape) -> Option<Vec<Meeting>> {
-        Some(match (one, other) {
-            (Shape::Round(p, r), Shape::Flat(foot, normal)) => vec![self.flat(p, *r, foot, *normal)],
-            (Shape::Bar(ends, r), Shape::Flat(foot, normal)) => {
-                ends.iter().map(|end| self.flat(end, *r, foot, *normal)).collect()
-            }
-            (Shape::Polygon(corners), Shape::Flat(foot, normal)) => {
-                corners.iter().map(|corner| self.flat(corner, 0.0, foot, *normal)).collect()
-            }
-            (Shape::Round(p, r), Shape::Round(q, s)) => {
-                let way = self.span(q, p);
-                let far = root(square(&way));
-                let gap = plus_of(far.clone(), Expression::Number(-r - s));
-                let out = over_of(halfway(*s, &gap), far);
-                let at = self.from(q, &way, &out);
-                vec![Meeting {
-                    gap,
-                    point: Some(at),
-                    radius: Some(r * s / (r + s)),
-                    between: round(p, q, *r),
-                }]
-            }
-            (Shape::Round(p, r), Shape::Hollow(q, s)) => {
-                let way = self.span(q, p);
-                let far = root(square(&way));
-                let gap = plus_of(Expression::Number(s - r), minus_of(far.clone()));
-                let out = over_of(plus_of(Expression::Number(*s), scaled(-0.5, gap.clone())), far);
-                let at = self.from(q, &way, &out);
-                vec![Meeting {
-                    gap,
-                    point: Some(at),
-                    radius: Some(r * s / (s - r)),
-                    between: round(p, q, *r),
-                }]
-            }
-            (Shape::Round(p, r), Shape::Bar(ends, own)) => vec![self.bar(p, *r, ends, *own)],
-            (Shape::Round(p, r), Shape::Profile(place, table)) => {
-                let axes = [0, 1].map(|axis| turned(&place.axes, unit_axis(axis)));
-                let along = |axis| Quantity::Along { axis, first: place.clone(), second: p.clone() };
-                let look = Look { table: table.clone(), slope: false };
-                let far = Expression::Table(look, Box::new(axes.map(|axis| self.leaf(along(axis)))));
-                let gap = plus_of(far, Expression::Number(-r));
-                vec![Meeting { gap, point: None, radius: None, between: round(p, place, *r) }]
-            }
-            (Shape::Round(p, r), Shape::Polygon(corners)) => vec![self.polygon(p, *r, corners)],
-            (Shape::Round(p, r), Shape::Cylinder { place, axis, radius, length, bore }) => {
-                vec![self.cylinder(p, *r, place, *axis, [*radius, length.unwrap_or(f64::INFINITY)], *bore)]
-            }
-            (Shape::Rim(p, axis, r), Shape::Flat(foot, normal)) => {
-                vec![self.rim(p, *axis, *r, foot, *normal)]
-            }
-            _ => return None,
-        })
-    }
-
-    fn flat(&mut self, p: &Place, r: f64, foot: &Place, normal: V3) -> Meeting {
-        let along = Quantity::Along { axis: normal, first: foot.clone(), second: p.clone() };
-        let gap = plus_of(self.leaf(along), Expression::Number(-r));
-        let down = halfway(r, &gap);
-        let at = [0, 1, 2].map(|k| {
-            let out = times_of(self.world(foot, normal, k), down.clone());
-            plus_of(self.coordinate(p, k), minus_of(out))
-        });
-        Meeting { gap, point: Some(at), radius: Some(r), between: round(p, foot, r) }
-    }
-
-    fn bar(&mut self, p: &Place, r: f64, [from, to]: &[Place; 2], own: f64) -> Meeting {
-        let span = minus(to.local, from.local);
-        let long = norm(span);
-        let along = Quantity::Along { axis: times(1.0 / long, span), first: from.clone(), second: p.clone() };
-        let s = self.leaf(along);
-        let s = two(Operator::Min, two(Operator::Max, s, Expression::Number(0.0)), Expression::Number(long));
-        let share = scaled(1.0 / long, s);
-        let (whole, way) = (self.span(from, to), self.span(from, p));
-        let across =
-            [0, 1, 2].map(|k| plus_of(way[k].clone(), minus_of(times_of(share.clone(), whole[k].clone()))));
-        let far = root(square(&across));
-        let gap = plus_of(far.clone(), Expression::Number(-r - own));
-        let out = over_of(halfway(own, &gap), far);
-        let at = [0, 1, 2].map(|k| {
-            let foot = plus_of(self.coordinate(from, k), times_of(share.clone(), whole[k].clone()));
-            plus_of(foot, times_of(out.clone(), across[k].clone()))
-        });
-        Meeting { gap, point: Some(at), radius: None, between: round(p, from, r) }
-    }
-
-    fn polygon(&mut self, p: &Place, r: f64, corners: &[Place]) -> Meeting {
-        let (mut inside, mut outside): (Option<Expression>, Option<Expression>) = (None, None);
-        for (k, from) in corners.iter().enumerate() {
-            let to = &corners[(k + 1) % corners.len()];
-            let span = minus(to.local, from.local);
-            let [x, y, _] = times(1.0 / norm(span), span);
-            let own = |axis| Quantity::Along { axis, first: from.clone(), second: p.clone() };
-            let out = self.leaf(own([y, -x, 0.0]));
-            let ends = self.bar(p, 0.0, &[from.clone(), to.clone()], 0.0).gap;
-            inside = Some(inside.map_or(out.clone(), |known| two(Operator::Max, known, out)));
-            outside = Some(outside.map_or(ends.clone(), |known| two(Operator::Min, known, ends)));
-        }
-        let none = || Expression::Number(0.0);
-        let (inside, outside) = (inside.unwrap_or_else(none), outside.unwrap_or_else(none));
-        let beyond = two(Operator::Greater, inside.clone(), none());
-        let gap = plus_of(Expression::If(Box::new([beyond, outside, inside])), Expression::Number(-r));
-        Meeting { gap, point: None, radius: None, between: round(p, &corners[0], r) }
-    }
-
-    /// In the axes of the cylinder's body.
-    fn cylinder(
-        &mut self,
-        p: &Place,
-        r: f64,
-        place: &Place,
-        axis: V3,
-        [own, long]: [f64; 2],
-        bore: bool,
-    ) -> Meeting {
-        let mut along =
-            |axis: V3| self.leaf(Quantity::Along { axis, first: place.clone(), second: p.clone() });
-        let (d, z) = ([0, 1, 2].map(|k| along(unit_axis(k))), along(axis));
-        let across = [0, 1, 2].map(|k| plus_of(d[k].clone(), scaled(-axis[k], z.clone())));
-        let (rho, height) = (root(square(&across)), Expression::unary(Function::Abs, z));
-        let none = || Expression::Number(0.0);
-        let gap = if bore {
-            let gap = plus_of(Expression::Number(own - r), minus_of(rho));
-            let open = Expression::unary(Function::Abs, gap.clone());
-            let within = two(Operator::LessOrEqual, height, Expression::Number(0.5 * long));
-            if long.is_finite() { Expression::If(Box::new([within, gap, open])) } else { gap }
-        } else {
-            let side = plus_of(rho, Expression::Number(-own));
-            let whole = if long.is_finite() {
-                let end = plus_of(height, Expression::Number(-0.5 * long));
-                let most = two(Operator::Max, side.clone(), end.clone());
-                let [beside, beyond] = [side, end].map(|way| two(Operator::Max, way, none()));
-                let far = root(square(&[beside, beyond, none()]));
-                Expression::If(Box::new([two(Operator::Greater, most.clone(), none()), far, most]))
-            } else {
-                side
-            };
-            plus_of(whole, Expression::Number(-r))
-        };
-        Meeting { gap, point: None, radius: None, between: round(p, place, r) }
-    }
-
-    fn rim(&mut self, p: &Place, axis: V3, r: f64, foot: &Place, normal: V3) -> Meeting {
-        let c = self.leaf(Quantity::Dot {
-            first: Section::whole(foot.body),
-            a: normal,
-            second: Section::whole(p.body),
-            b: axis,
-        });
-        let sine = root(plus_of(Expression::Number(1.0), minus_of(times_of(c.clone(), c.clone()))));
-        let along = self.leaf(Quantity::Along { axis: normal, first: foot.clone(), second: p.clone() });
-        let gap = plus_of(along, scaled(-r, sine.clone()));
-        let at = [0, 1, 2].map(|k| {
-            let (a, own) = (self.world(foot, normal, k), self.world(p, axis, k));
-            let across = plus_of(a.clone(), minus_of(times_of(c.clone(), own)));
-            let down =
-                plus_of(scaled(r, over_of(across, sine.clone())), scaled(0.5, times_of(a, gap.clone())));
-            plus_of(self.coordinate(p, k), minus_of(down))
-        });
-        let between = Between { first: p.clone(), second: foot.clone(), radius: None, reversed: false };
-        Meeting { gap, point: Some(at), radius: None, between: Some(between) }
-    }
-
-    /// World components of one place less another.
-    fn span(&mut self, from: &Place, to: &Place) -> [Expression; 3] {
-        [0, 1, 2].map(|axis| self.leaf(Quantity::Gap { first: to.clone(), second: from.clone(), axis }))
-    }
-
-    /// A share of a way from a place.
-    fn from(&mut self, place: &Place, way: &[Expression; 3], share: &Expression) -> [Expression; 3] {
-        [0, 1, 2].map(|k| plus_of(self.coordinate(place, k), times_of(share.clone(), way[k].clone())))
-    }
-
-    fn coordinate(&mut self, place: &Place, axis: usize) -> Expression {
-        self.leaf(Quantity::Coordinate { place: place.clone(), axis })
-    }
-
-    fn world(&mut self, place: &Place, direction: V3, axis: usize) -> Expression {
-        self.leaf(Quantity::Dot {
-            first: Section::whole(place.body),
-            a: direction,
-            second: Section::whole(None),
-            b: unit_axis(axis),
-        })
-    }
-}
-
-/// What is round with what it touches.
-fn round(p: &Place, other: &Place, radius: f64) -> Option<Between> {
-    Some(Between { first: p.clone(), second: other.clone(), radius: Some(radius), reversed: false })
 }
 
 /// b v of a restitution (docs/contact-and-friction.md), by bisection of x − ln(1 + x) + e x + ln(1 − e x).
@@ -548,39 +329,46 @@ fn powered(x: Expression, exponent: f64) -> Expression {
     Expression::unary(Function::Power(exponent), two(Operator::Max, x, Expression::Number(least)))
 }
 
-fn halfway(radius: f64, gap: &Expression) -> Expression {
-    plus_of(Expression::Number(radius), scaled(0.5, gap.clone()))
-}
-
-fn square(way: &[Expression; 3]) -> Expression {
-    let [x, y, z] = [0, 1, 2].map(|k| times_of(way[k].clone(), way[k].clone()));
-    plus_of(plus_of(x, y), z)
-}
-
-fn root(square: Expression) -> Expression {
-    Expression::unary(Function::Sqrt, two(Operator::Max, square, Expression::Number(TINY)))
-}
-
-fn two(operator: Operator, a: Expression, b: Expression) -> Expression {
+pub(super) fn two(operator: Operator, a: Expression, b: Expression) -> Expression {
     Expression::binary(operator, a, b)
 }
 
-fn plus_of(a: Expression, b: Expression) -> Expression {
+pub(super) fn plus_of(a: Expression, b: Expression) -> Expression {
     two(Operator::Plus, a, b)
 }
 
-fn times_of(a: Expression, b: Expression) -> Expression {
+pub(super) fn times_of(a: Expression, b: Expression) -> Expression {
     two(Operator::Times, a, b)
 }
 
-fn over_of(a: Expression, b: Expression) -> Expression {
+pub(super) fn over_of(a: Expression, b: Expression) -> Expression {
     two(Operator::Over, a, b)
 }
 
-fn minus_of(a: Expression) -> Expression {
+pub(super) fn minus_of(a: Expression) -> Expression {
     Expression::unary(Function::Negative, a)
 }
 
-fn scaled(factor: f64, a: Expression) -> Expression {
+pub(super) fn scaled(factor: f64, a: Expression) -> Expression {
     times_of(Expression::Number(factor), a)
+}
+
+/// d/s of a line contact, F = π E l d/s (docs/contact-and-friction.md): s − ln s = ln(4 ΔR/d) − 1 by repetition, beyond 4 ΔR e⁻³ straight on.
+fn along_a_line(depth: Expression, radii: f64) -> Expression {
+    let most = 4.0 * radii * (-3.0_f64).exp();
+    let within = two(Operator::Min, two(Operator::Max, depth.clone(), none()), Expression::Number(most));
+    let known = two(Operator::Max, within.clone(), Expression::Number(1e-12 * radii));
+    let ln = |x| Expression::unary(Function::Ln, x);
+    let eta = plus_of(ln(over_of(Expression::Number(4.0 * radii), known)), Expression::Number(-1.0));
+    let (mut s, mut steepest) = (eta.clone(), 2.0_f64);
+    for _ in 0..REPEATED {
+        s = plus_of(eta.clone(), ln(s));
+        steepest = 2.0 + steepest.ln();
+    }
+    let beyond = two(Operator::Max, plus_of(depth, Expression::Number(-most)), none());
+    plus_of(over_of(within, s), scaled(1.0 / (steepest - 1.0), beyond))
+}
+
+fn none() -> Expression {
+    Expression::Number(0.0)
 }

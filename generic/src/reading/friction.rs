@@ -37,10 +37,11 @@ impl Reader<'_> {
                 let pins = vec![vec![(of("angle_1")?, 1.0)], vec![(of("angle_2")?, 1.0)]];
                 (Kind::Any, pins, radius)
             }
-            "spherical" => {
+            kind @ ("spherical" | "constant_velocity") => {
+                let pressing = if kind == "spherical" { Kind::Any } else { Kind::Knuckle };
                 let (first, second) = (joint.first.body, joint.second.body);
                 let turn = |axis| (Slip::Turn { first, second, axis }, 1.0);
-                (Kind::Any, vec![vec![turn(0), turn(1), turn(2)]], radius)
+                (pressing, vec![vec![turn(0), turn(1), turn(2)]], radius)
             }
             "cylindrical" => (Kind::Rail, vec![vec![(of("angle")?, radius), (of("travel")?, 1.0)]], 1.0),
             "planar" => {

@@ -14,6 +14,7 @@ mod joints;
 mod laws;
 mod loads;
 mod meshes;
+mod pairs;
 mod penalties;
 mod places;
 mod rubbing;

@@ -1,7 +1,7 @@
 //! Where contacts touch, and how their surfaces slide there.
 
-use super::contacts::Between;
 use super::laws::{LawReader, May};
+use super::pairs::Between;
 use super::{Read, Reader};
 use crate::error::DefinitionError;
 use crate::expression::Expression;

@@ -115,3 +115,53 @@ linkwright::mechanism! {
         output columned_y [m] = columns.point.y;
     }
 }
+
+linkwright::mechanism! {
+    /// Rolls along each other and in a bush, a bar that adheres where it lies, and an arm that adheres to its stops.
+    #[allow(penetration)]
+    pub planar Rolling {
+        param wide [m] = 0.3;
+        gravity [m/s^2] = (0, -9.81);
+        material rubber { modulus [Pa] = 4e3; poisson = 0.4; }
+        material cork { modulus [Pa] = 9e3; poisson = 0.1; }
+        disk roll { mass [kg] = 1; radius [m] = 0.3; }
+        disk wheel { mass [kg] = 2; radius [m] = 0.5; surface bush: hole(wheel.center, radius [m] = 0.34); }
+        rod plate { mass [kg] = 2; length [m] = 0.8; surface sole: segment(plate.start, plate.end, radius [m] = 0.05); }
+        rod arm { mass [kg] = 0.5; length [m] = 0.6; surface pin: circle(arm.end, radius [m] = 0.3); }
+        surface floor: half_plane(line(ground(0, 0) [m], ground(1, 0.1) [m]));
+        joint pivot: revolute(ground(0.2, 0.4) [m], arm.start);
+        contact along: between(roll.surface, wheel.surface) = hertz_line(first = rubber, second = cork, length = wide, dissipation [s/m] = 0.3);
+        contact bushed: between(wheel.bush, arm.pin) = hertz_line(first = cork, second = cork, length [m] = 0.2, restitution = 0.7, speed [m/s] = 2);
+        contact sticks: between(plate.sole, floor) = kelvin_voigt(stiffness [N/m] = 90, damping [N*s/m] = 12, release = 0.8, adhesion = on);
+        limit clings: pivot.angle [rad] in -1..0.1 = hunt_crossley(force [N*m] = 5, depth [rad] = 0.2, dissipation [s/rad] = 0.9, adhesion = on);
+        friction grip: on(along) = coulomb(coefficient = 0.3, speed [m/s] = 0.1);
+        start { roll.center.x [m] = 0.3; roll.center.y [m] = 1.2; roll.angle [rad] = 0; wheel.center.x [m] = 0.75; wheel.center.y [m] = 0.6; wheel.angle [rad] = 0;
+                plate.center.x [m] = -0.4; plate.center.y [m] = 0.03; plate.angle [rad] = 0.1; pivot.angle [rad] = 0.3; pivot.rate [rad/s] = 1; }
+        options { emit = (penalty, projection, null_space, tangent); }
+        output pressed [N] = along.force + bushed.force;
+        output held [N] = sticks.force;
+        output lost [W] = power(along) + power(sticks) + power(clings) + power(grip);
+    }
+}
+
+linkwright::mechanism! {
+    /// Bars that fall on each other: one hangs, one is free, one is fixed.
+    #[allow(penetration)]
+    pub spatial Crossing {
+        gravity [m/s^2] = (0, 0, -9.81);
+        rod swing { mass [kg] = 0.7; length [m] = 0.9; radius [mm] = 30; surface skin: capsule(swing.start, swing.end, radius [m] = 0.1); }
+        rod stick { mass [kg] = 0.5; length [m] = 1.1; radius [mm] = 30; surface skin: capsule(stick.start, stick.end, radius [m] = 0.15); }
+        surface rail: capsule(ground(-1, 0.2, 0) [m], ground(1, -0.1, 0.1) [m], radius [m] = 0.2);
+        joint hook: spherical(ground(0, 0, 1) [m], swing.start);
+        contact knocks: between(swing.skin, stick.skin) = kelvin_voigt(stiffness [N/m] = 80, damping [N*s/m] = 2);
+        contact lies: between(rail, stick.skin) = hunt_crossley(force [N] = 30, depth [m] = 0.1, dissipation [s/m] = 0.4);
+        friction rubs: on(knocks) = coulomb(coefficient = 0.4, speed [m/s] = 0.2);
+        friction grips: on(lies) = coulomb(coefficient = 0.2, speed [m/s] = 0.1);
+        start { stick.center.x [m] = 0.1; stick.center.y [m] = 0.1; stick.center.z [m] = 0.3; stick.orientation = (0.9, 0.1, 0.4, 0.2);
+                swing.orientation = (0.8, 0.1, 0.5, 0); swing.rate.z [rad/s] = 1; }
+        options { emit = (penalty, projection, null_space, tangent); }
+        output knocked [N] = knocks.force;
+        output at_y [m] = knocks.point.y;
+        output slides_x [m/s] = lies.sliding.x;
+    }
+}

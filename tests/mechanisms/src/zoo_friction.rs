@@ -158,3 +158,25 @@ linkwright::mechanism! {
         output lost [W] = -power(f_wire) - power(f_slot);
     }
 }
+
+linkwright::mechanism! {
+    /// A shaft, one that swings at its end and keeps its speed, and a nose on that by a joint of the same kind.
+    pub spatial RubbedShafts {
+        gravity [m/s^2] = (0, 1, -9.81);
+        input torque [N*m];
+        body shaft { mass [kg] = 2; inertia [kg*m^2] = (0.004, 0.004, 0.002); center [m] = (0, 0, 0.05); point far [m] = (0, 0.01, 0.1); }
+        body swing { mass [kg] = 0.8; inertia [kg*m^2] = (0.003, 0.004, 0.001); center [m] = (0.01, 0, 0.1); point far [m] = (0.01, 0, 0.2); }
+        body nose { mass [kg] = 0.3; inertia [kg*m^2] = (0.001, 0.0012, 0.0005); center [m] = (0, 0.01, 0.03); }
+        joint main: revolute(ground(0, 0, 0) [m], shaft.origin, axis = (0, 0, 1));
+        joint knuckle: constant_velocity(shaft.far, swing.origin, axis = (0, 0, 1));
+        joint second: constant_velocity(nose.origin, swing.far, axis = (0.1, 0, 1));
+        torque drive: torque(main) = torque;
+        friction f_main: on(main) = coulomb(coefficient = 0.1, radius [mm] = 10, speed [rad/s] = 0.1);
+        friction f_knuckle: on(knuckle) = stribeck(static = 0.15, kinetic = 0.1, transition [rad/s] = 2, radius [mm] = 25, speed [rad/s] = 0.2);
+        friction f_second: on(second) = lugre(static = 0.2, kinetic = 0.15, transition [rad/s] = 1, stiffness [1/rad] = 20, damping [s/rad] = 0.01, radius [mm] = 20);
+        start { main.rate [rad/s] = 3; swing.orientation ~ (0.95, 0.3, 0, 0); nose.orientation ~ (0.9, 0.3, 0.3, 0); }
+        options { friction_passes = 4; }
+        output pressed [N] = f_knuckle.normal + f_second.normal;
+        output lost [W] = -power(f_main) - power(f_knuckle) - power(f_second);
+    }
+}

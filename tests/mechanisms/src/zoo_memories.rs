@@ -117,3 +117,25 @@ linkwright::mechanism! {
         output turned [rad] = shoulder.angle;
     }
 }
+
+linkwright::mechanism! {
+    /// A ball on a floor, an arm that strikes it and its own stop, all with the speed of each touch, and one that adheres.
+    #[allow(penetration)]
+    pub planar RememberingTouches {
+        gravity [m/s^2] = (0, -9.81);
+        material rubber { modulus [Pa] = 3e3; poisson = 0.4; }
+        disk ball { mass [kg] = 1; radius [m] = 0.2; }
+        rod arm { mass [kg] = 0.5; length [m] = 0.6; surface tip: circle(arm.end, radius [m] = 0.1); }
+        surface floor: half_plane(line(ground(0, 0) [m], ground(1, 0.05) [m]));
+        joint pivot: revolute(ground(0, 0.8) [m], arm.start);
+        contact lands: between(ball.surface, floor) = hunt_crossley(force [N] = 60, depth [m] = 0.1, restitution = 0.7, speed = touch, slowest [m/s] = 0.2);
+        contact knocks: between(ball.surface, arm.tip) = hertz(first = rubber, second = rubber, restitution = 0.5, speed = touch);
+        contact lies: between(arm.tip, floor) = kelvin_voigt(stiffness [N/m] = 80, damping [N*s/m] = 3, adhesion = on);
+        limit stops: pivot.angle [rad] in -1.2..0.2 = hunt_crossley(force [N*m] = 9, depth [rad] = 0.3, restitution = 0.8, speed = touch);
+        start { ball.center.x [m] = 0.75; ball.center.y [m] = 0.5; ball.angle [rad] = 0; ball.center.velocity.y [m/s] = 1; pivot.angle [rad] = 0; pivot.rate [rad/s] = 1; }
+        options { contact = held; emit = (penalty, projection, null_space, tangent); }
+        output struck [m/s] = knocks.speed + lands.speed;
+        output turned [rad/s] = stops.speed;
+        output lost [W] = power(lands) + power(knocks) + power(stops);
+    }
+}

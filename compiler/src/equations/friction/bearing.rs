@@ -6,6 +6,7 @@
 //! | pin, in space | about it | \|R_r\| + \|R_a\| r_a/r + 2 \|M_b\|/l |
 //! | two pins that cross | about each | \|R\| of each |
 //! | ball | about any axis | \|R\| |
+//! | balls between two shafts | about any axis | \|R\| + \|M\|/r |
 //! | rail | along it | \|R_n\|, or with a length \|R_n/2 + M/l\| + \|R_n/2 − M/l\| |
 //! | sleeve | along and about it | the same, across the axis |
 //! | point | along its line | \|R_n\| |
@@ -57,7 +58,7 @@ pub(super) fn slips<'g>(laws: &Laws<'g>, load: &Load) -> Vec<Slip<'g>> {
     match bearing {
         Bearing::Pin => vec![slip(vec![(turn(0), one)], radius)],
         Bearing::Cross => [0, 1].map(|which| slip(vec![(turn(which), one)], radius)).into(),
-        Bearing::Ball => {
+        Bearing::Ball | Bearing::Knuckle => {
             vec![slip(relative_turn(laws, joint).into_iter().map(|it| (it, one)).collect(), radius)]
         }
         Bearing::Rail | Bearing::Point => vec![slip(vec![(travel(0), one)], one)],
@@ -120,6 +121,10 @@ pub fn pressing<'g>(laws: &Laws<'g>, load: &Load, wrench: &[Scalar<'g>]) -> Pres
     };
     match bearing {
         Bearing::Cross | Bearing::Ball => vec![force.to_vec()],
+        Bearing::Knuckle => {
+            let by = laws.value(load.named("radius")).reciprocal();
+            vec![force.to_vec(), torque.iter().map(|moment| *moment * by).collect()]
+        }
         Bearing::Face | Bearing::Spot => vec![vec![along(force)]],
         Bearing::Thread => {
             let radius = laws.value(load.named("radius"));

@@ -15,9 +15,11 @@ mod surfaces;
 
 use super::lower::{Lowering, Use, name};
 use super::names::Part;
+use super::unused::Scope;
 use super::values::Typed;
 use super::{
-    Comparison, Condition, ContactTime, Expr, Function1, Function2, Load, Quantity, Sliding, Subject, fold,
+    Comparison, Condition, ContactTime, Expr, Function1, Function2, Load, MemoryId, Quantity, Sliding,
+    Subject, fold,
 };
 use crate::diagnostics::Region;
 use crate::messages;
@@ -68,7 +70,7 @@ struct Geometry {
 }
 
 /// What an expression names of a contact.
-const QUANTITIES: [&str; 6] = ["gap", "depth", "closing", "force", "point", "sliding"];
+const QUANTITIES: [&str; 7] = ["gap", "depth", "closing", "force", "point", "sliding", "speed"];
 
 impl Contacts {
     pub fn of(definition: &syntax::Definition) -> Self {
@@ -167,6 +169,9 @@ impl<'d> Lowering<'d> {
             return None;
         }
         self.permit(permitted, path, kind, usage)?;
+        if parts[0] == "speed" {
+            return self.speed_of_touch(index, path, usage);
+        }
         let geometry = self.geometry(index)?;
         let meetings = match own {
             Some(which) => vec![geometry.meetings[which].clone()],
@@ -210,6 +215,30 @@ impl<'d> Lowering<'d> {
             }
             _ => None,
         }
+    }
+
+    /// How fast a contact came together when it touched last, if its law asks for that.
+    fn speed_of_touch(&mut self, index: usize, path: &Path, usage: Use) -> Option<Typed> {
+        let Some(memory) = self.memory_of_touches(index) else {
+            let message = messages::keeps_no_speed(&path.parts[0].text);
+            self.diagnostics.error(path.region, message);
+            return None;
+        };
+        self.permit(usage.states, path, "a memory", usage)?;
+        let dimension = self.speed_of_contact(index)?;
+        self.used.insert((Scope::Value, &self.definition.memories[memory.0].name.text));
+        Some(Typed { expr: Expr::Memory(memory), dimension, zero: false, region: path.region })
+    }
+
+    fn memory_of_touches(&self, index: usize) -> Option<MemoryId> {
+        let name = &self.definition.contacts[index].name.text;
+        let own = |memory: &syntax::Memory| memory.touch_of.as_ref().is_some_and(|it| it.text == *name);
+        self.definition.memories.iter().position(own).map(MemoryId)
+    }
+
+    /// What the rate of its gap measures.
+    pub(super) fn speed_of_contact(&mut self, index: usize) -> Option<Dimension> {
+        Some(self.geometry(index)?.dimension.over(Dimension::TIME))
     }
 
     /// At how many places a contact may touch.
@@ -314,10 +343,12 @@ impl<'d> Lowering<'d> {
                 Forces { along: Vec::new(), ungated: Vec::new(), elastic: None, restitutions: Vec::new() };
             for (which, meeting) in geometry.meetings.iter().enumerate() {
                 self.contacts.law_of = Some((index, which));
+                let mut adheres = false;
                 let law = match &contact.law {
                     ContactLawTerm::Named(form, named, region) => {
-                        let law = self.named_law(form, named, *region, meeting, geometry.dimension)?;
+                        let law = self.named_law(index, form, named, *region, meeting, geometry.dimension)?;
                         forces.elastic = Some(law.elastic);
+                        adheres = law.adheres;
                         law.force
                     }
                     ContactLawTerm::Expression(term) => {
@@ -332,7 +363,8 @@ impl<'d> Lowering<'d> {
                     let gate = Expr::Gate(self.load_of_contact(index), which);
                     let closed = Condition::Compare(Comparison::Less, Expr::Number(0.5), gate);
                     forces.along.push(where_closed(closed, law.clone()));
-                    forces.ungated.push(law);
+                    // Of what adheres the gap alone says when it parts.
+                    forces.ungated.push(if adheres { Expr::Number(1.0) } else { law });
                 } else {
                     forces.along.push(gated(&meeting.gap, law));
                 }

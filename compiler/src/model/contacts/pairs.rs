@@ -22,6 +22,8 @@ use std::sync::Arc;
 
 /// ε², m².
 const TINY: f64 = 1e-24;
+/// sin² of the angle between two bars below which they count as parallel.
+const PARALLEL: f64 = 1e-8;
 /// Of a distance from a curve that is periodic, whose second derivative has no jumps.
 const SMOOTH: usize = 2;
 
@@ -31,11 +33,13 @@ pub struct Meeting {
     pub gap: Expr,
     /// Of the curvatures of both, for Hertz' law.
     pub radius: Option<Expr>,
+    /// R₁ + R₂, or R₁ − R₂ of what is in a hole.
+    pub radii: Option<Expr>,
 }
 
 impl Meeting {
     pub fn of(gap: Expr) -> Self {
-        Meeting { gap, radius: None }
+        Meeting { gap, radius: None, radii: None }
     }
 }
 
@@ -129,24 +133,28 @@ fn meetings(first: &Shape, second: &Shape, space: Space) -> Option<Vec<Meeting>>
         // g = |Δ| − r₁ − r₂
         (Shape::Round { place, radius }, Shape::Round { place: other, radius: r }) => {
             let distance = root(square(other, place));
-            let gap = difference(distance, sum(radius.clone(), r.clone()));
+            let radii = sum(radius.clone(), r.clone());
+            let gap = difference(distance, radii.clone());
             let curved = is_positive(radius) && is_positive(r);
-            let both =
-                curved.then(|| quotient(product(radius.clone(), r.clone()), sum(radius.clone(), r.clone())));
+            let both = curved.then(|| quotient(product(radius.clone(), r.clone()), radii.clone()));
             // A point has no curvature; on a ball it is a needle.
-            one(Meeting { gap, radius: both })
+            one(Meeting { gap, radius: both, radii: curved.then_some(radii) })
         }
         // g = R − r − |Δ|
         (Shape::Round { place, radius }, Shape::Hollow { place: middle, radius: hole }) => {
             let distance = root(square(middle, place));
             let clearance = difference(hole.clone(), radius.clone());
             let gap = difference(clearance.clone(), distance);
-            let both =
-                is_positive(radius).then(|| quotient(product(radius.clone(), hole.clone()), clearance));
-            one(Meeting { gap, radius: both })
+            let both = quotient(product(radius.clone(), hole.clone()), clearance.clone());
+            let [both, radii] = [both, clearance].map(|value| is_positive(radius).then_some(value));
+            one(Meeting { gap, radius: both, radii })
         }
         (Shape::Round { place, radius }, Shape::Bar { ends, radius: own }) => {
             one(bar(place, radius, ends, own, axes))
+        }
+        (Shape::Bar { ends, radius }, Shape::Bar { ends: others, radius: r }) if space == Space::Spatial => {
+            let gap = difference(Nearest::of(ends, others).distance, sum(radius.clone(), r.clone()));
+            one(Meeting::of(gap))
         }
         (Shape::Round { place, radius }, Shape::Polygon(corners)) => one(polygon(place, radius, corners)),
         // g = d − r
@@ -183,7 +191,7 @@ pub(super) fn profile(
 /// g = n·(p − p₀) − r.
 fn flat(place: &Place, radius: &Expr, foot: &Place, normal: &Vector) -> Meeting {
     let gap = difference(way(foot, normal.clone(), place), radius.clone());
-    Meeting { gap, radius: is_positive(radius).then(|| radius.clone()) }
+    Meeting { gap, radius: is_positive(radius).then(|| radius.clone()), radii: None }
 }
 
 /// The nearest point of a bar by clamping: with t the bar's direction, L its length, s = clamp(t·(p − A), 0, L):
@@ -218,6 +226,44 @@ impl Beside {
             .map(|(way, t)| difference(way, product(s.clone(), t.clone())))
             .collect();
         Beside { along: s, length, distance: root(squares(&across)) }
+    }
+}
+
+/// Of two bars in space the points that are nearest to each other, by clamping (Ericson, Real-Time Collision Detection, 2005, 5.1.9). With their
+/// directions t₁ and t₂, their lengths L₁ and L₂, r = A₁ − A₂, b = t₁·t₂, c = t₁·r and f = t₂·r,
+///   s₀ = clamp((b f − c)/(1 − b²), 0, L₁),  s₂ = clamp(b s₀ + f, 0, L₂),  s₁ = clamp(b s₂ − c, 0, L₁).
+/// Where they are parallel, all s₀ are as near; 1 − b² is kept from zero there.
+pub(super) struct Nearest {
+    /// On the second bar, along the axes of the world.
+    pub foot: [Expr; 3],
+    /// From there to the first bar.
+    pub way: [Expr; 3],
+    pub distance: Expr,
+}
+
+impl Nearest {
+    pub fn of(first: &[Place; 2], second: &[Place; 2]) -> Self {
+        let span = |ends: &[Place; 2]| fold::between(&ends[0].at, &ends[1].at);
+        let lengths = [first, second].map(|ends| norm(&span(ends)));
+        let along = |ends: &[Place; 2], length: &Expr| span(ends).map(|part| quotient(part, length.clone()));
+        let tangents = [along(first, &lengths[0]), along(second, &lengths[1])];
+        let worlds = |ends: &[Place; 2], t: &Vector| [0, 1, 2].map(|axis| direction(&ends[0], t, axis));
+        let [t1, t2] = [worlds(first, &tangents[0]), worlds(second, &tangents[1])];
+        let [b, mc] = [dot(&t1, &t2), way(&first[0], tangents[0].clone(), &second[0])];
+        let f = way(&second[0], tangents[1].clone(), &first[0]);
+        let clamp = |x: Expr, length: &Expr| least(most(x, Expr::Number(0.0)), length.clone());
+        let apart = difference(Expr::Number(1.0), product(b.clone(), b.clone()));
+        let apart = most(apart, Expr::Number(PARALLEL));
+        let s0 = quotient(sum(product(b.clone(), f.clone()), mc.clone()), apart);
+        let s2 = clamp(sum(product(b.clone(), clamp(s0, &lengths[0])), f), &lengths[1]);
+        let s1 = clamp(sum(product(b, s2.clone()), mc), &lengths[0]);
+        let at = |place: &Place, t: &Expr, s: &Expr, axis| {
+            sum(coordinate(Coordinate::Position(Box::new(place.clone()), axis)), product(s.clone(), t.clone()))
+        };
+        let foot = [0, 1, 2].map(|axis| at(&second[0], &t2[axis], &s2, axis));
+        let way = [0, 1, 2].map(|axis| difference(at(&first[0], &t1[axis], &s1, axis), foot[axis].clone()));
+        let distance = root(squares(&way));
+        Nearest { foot, way, distance }
     }
 }
 

@@ -3,7 +3,7 @@
 //! The point is halfway between both surfaces, the normal of unit length from the second of a pair to the first, along the axes of the world.
 
 use super::pairs::{
-    Beside, Edge, Meeting, Tilt, about, coordinate, direction, edges, profile, root, square, squares, unit,
+    Beside, Edge, Meeting, Nearest, Tilt, about, coordinate, direction, edges, profile, root, square, squares, unit,
 };
 use super::surfaces::Shape;
 use super::{difference, least, most, product, quotient, sum};
@@ -57,6 +57,7 @@ fn touch(first: &Shape, second: &Shape, which: usize, gap: &Expr, axes: usize) -
             along(middle, place, far, axes, true)
         }
         (Shape::Round { place, .. }, Shape::Bar { ends, radius: own }) => bar(place, ends, own, gap, axes),
+        (Shape::Bar { ends, .. }, Shape::Bar { ends: others, radius: own }) => bars(ends, others, own, gap),
         (Shape::Round { place, radius }, Shape::Polygon(corners)) => {
             below(place, radius, gap, world(&corners[0], &polygon(place, corners)))
         }
@@ -121,6 +122,15 @@ fn bar(place: &Place, ends: &[Place; 2], own: &Expr, gap: &Expr, axes: usize) ->
         normal.push(quotient(way, distance.clone()));
     }
     Touch { point, normal }
+}
+
+/// From the nearest point of the second of two bars.
+fn bars(first: &[Place; 2], second: &[Place; 2], own: &Expr, gap: &Expr) -> Touch {
+    let Nearest { foot, way, distance } = Nearest::of(first, second);
+    let out = quotient(halfway(own, gap), distance.clone());
+    let point =
+        foot.into_iter().zip(&way).map(|(foot, way)| sum(foot, product(out.clone(), way.clone()))).collect();
+    Touch { point, normal: way.into_iter().map(|way| quotient(way, distance.clone())).collect() }
 }
 
 /// Along the axes of the first corner: of the edge that is least far inside, or away from what is nearest outside.

@@ -6,7 +6,7 @@ use crate::drawing::canvas::Pen;
 use crate::drawing::shapes::THIN;
 use crate::drawing::space::Symbol;
 use crate::equations::{JointRow, Laws};
-use crate::forms::{Alone, Form, JointAxes, JointForm, OfParticle, PLACES, RowForm, Spans};
+use crate::forms::{Alone, Bearing, Form, JointAxes, JointForm, OfParticle, PLACES, RowForm, Spans};
 
 pub static JOINT: SpatialJoint = SpatialJoint {
     form: JointForm {
@@ -28,7 +28,7 @@ pub static JOINT: SpatialJoint = SpatialJoint {
         of_particle: OfParticle::Neither,
         alone: Alone::Otherwise,
         freer: &[],
-        bearing: None,
+        bearing: Some(Bearing::Knuckle),
         refuses: None,
     },
     // Its two swings have no coordinates that stay regular.
