@@ -106,6 +106,8 @@ pub struct Explanation {
     pub loads: Vec<[String; 2]>,
     /// Name, and how long a touch takes with which mass.
     pub contacts: Vec<[String; 2]>,
+    /// How frictions brake near rest.
+    pub frictions: Vec<[String; 2]>,
     /// How joints that yield vibrate.
     pub vibration: Option<Vibration>,
     /// Name, and knots with what stands between them.
@@ -215,6 +217,7 @@ pub fn explain(definition: &Definition, compiled: &Compiled) -> Explanation {
         meshes: meshes(mechanism),
         loads: loads(mechanism),
         contacts: contacts(compiled),
+        frictions: frictions(compiled),
         vibration: compiled.vibration,
         tables: mechanism.tables.iter().map(table).collect(),
         parts: mechanism.parts.iter().map(|part| [part.name.text.clone(), part.of.clone()]).collect(),
@@ -305,6 +308,11 @@ fn couplings(mechanism: &Mechanism) -> Vec<[String; 2]> {
 fn contacts(compiled: &Compiled) -> Vec<[String; 2]> {
     let name = |id: LoadId| compiled.mechanism.loads[id.0].name.text.clone();
     compiled.blows.iter().map(|(id, blow)| [name(*id), blow.to_string()]).collect()
+}
+
+fn frictions(compiled: &Compiled) -> Vec<[String; 2]> {
+    let name = |id: LoadId| compiled.mechanism.loads[id.0].name.text.clone();
+    compiled.braking.iter().map(|(id, braking)| [name(*id), braking.to_string()]).collect()
 }
 
 fn loads(mechanism: &Mechanism) -> Vec<[String; 2]> {

@@ -117,6 +117,7 @@ pub fn explanation(e: &Explanation) -> Value {
         "couplings": named(&e.couplings),
         "teeth": e.teeth.iter().map(teeth).collect::<Value>(),
         "loads": named(&e.loads),
+        "frictions": e.frictions.iter().map(|[name, braking]| json!({ "name": name, "near_rest": braking })).collect::<Vec<_>>(),
         "contacts": e.contacts.iter().map(|[name, touch]| json!({ "name": name, "touch": touch })).collect::<Vec<_>>(),
         "degrees_of_freedom": e.degrees_of_freedom,
         "gruebler": e.gruebler,

@@ -52,6 +52,7 @@ pub fn explanation(e: &Explanation, place: &str) -> String {
         let _ = writeln!(text, "\nJoints that yield\n  {vibration}");
     }
     table(&mut text, "Contacts", e.contacts.iter().map(|one| one.to_vec()).collect());
+    table(&mut text, "Friction", e.frictions.iter().map(|one| one.to_vec()).collect());
     table(&mut text, "Tables", e.tables.iter().map(|one| one.to_vec()).collect());
     freedoms(&mut text, e);
     let title = "Reflected to each joint at the start: inertia, and gravity and loads at rest";

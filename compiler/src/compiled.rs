@@ -3,7 +3,7 @@
 use crate::check::assemble::loose::{self, Loose};
 use crate::check::assemble::{Assembly, Point};
 use crate::check::motion::{self, Least, Linkage, Motion, Reflected, Unswept};
-use crate::check::{Blow, Vibration};
+use crate::check::{Blow, Braking, Vibration};
 use crate::choice::Choice;
 use crate::complete::Complete;
 use crate::diagnostics::Diagnostics;
@@ -45,6 +45,8 @@ pub struct Compiled {
     /// What is possible and probably not meant.
     /// What blows of contacts are like at the start.
     pub blows: Vec<(LoadId, Blow)>,
+    /// How frictions brake near rest, at the start.
+    pub braking: Vec<(LoadId, Braking)>,
     /// The fastest that joints which yield make, at the start.
     pub vibration: Option<Vibration>,
     pub warnings: Diagnostics,

@@ -166,6 +166,7 @@ pub fn compile_model(
     check::locks(&mechanism, &equations, &solved, &assembly, &mut warnings);
     let vibration = check::vibration(&mechanism, &equations, &assembly);
     let blows = check::contact_times(&mechanism, &equations, &assembly, &mut errors);
+    let braking = check::braking(&mechanism, &equations, &solved, &assembly, &mut errors);
     // AFTER THIS POINT every state has its start.
     let (conditions, independent) = equations.conditions.with(&mechanism, &equations, &assembly.independent);
     let partition = assemble::partition(&mechanism, &equations, &conditions, &assembly, &independent);
@@ -200,6 +201,7 @@ pub fn compile_model(
         masses,
         choice,
         blows,
+        braking,
         vibration,
         warnings,
     };

@@ -2,12 +2,11 @@
 
 use super::assemble::{Ancestry, Assembly, Point};
 use super::messages;
-use super::steady::eliminated;
+use super::mobility::{Direction, Mobility};
 use crate::diagnostics::{Diagnostics, Lint};
 use crate::equations::{Equations, Jet, Laws};
 use crate::model::{Expr, Load, LoadId, Mechanism, Subject};
 use crate::numbers::significant;
-use crate::symbolic::Node;
 use std::f64::consts::PI;
 use std::fmt;
 
@@ -146,29 +145,12 @@ fn blows(mechanism: &Mechanism, equations: &Equations, assembly: &Assembly) -> V
         return found;
     }
     let mut point = Point::at_start(mechanism, equations, assembly);
-    let rows: Vec<&Jet> = equations.rows.iter().map(|row| &row.jet).collect();
-    point
-        .evaluate(&Ancestry::of_jets(equations, gaps.iter().map(|(_, jet)| jet).chain(rows.iter().copied())));
-    let columns = |point: &Point, jet: &Jet| -> Vec<(usize, f64)> {
+    point.evaluate(&Ancestry::of_jets(equations, gaps.iter().map(|(_, jet)| jet)));
+    let direction = |(_, jet): &(&Load, Jet)| -> Direction {
         jet.columns.iter().map(|(index, column)| (*index, point.get(*column))).collect()
     };
-    let directions: Vec<Vec<(usize, f64)>> = gaps.iter().map(|(_, jet)| columns(&point, jet)).collect();
-    let constraints: Vec<Vec<(usize, f64)>> = rows.iter().map(|jet| columns(&point, jet)).collect();
-    let masses: Vec<Node> = equations.mass.values().copied().collect();
-    point.evaluate(&Ancestry::of(equations, masses));
-    // [M Dᵀ; D 0], and a column for what is asked.
-    let n = equations.layout.velocities();
-    let size = n + constraints.len();
-    let mut matrix = vec![vec![0.0; size + 1]; size];
-    for ((i, j), node) in &equations.mass {
-        let value = point.get(*node);
-        (matrix[*i][*j], matrix[*j][*i]) = (value, value);
-    }
-    for (row, columns) in constraints.iter().enumerate() {
-        for (index, value) in columns {
-            (matrix[n + row][*index], matrix[*index][n + row]) = (*value, *value);
-        }
-    }
+    let directions: Vec<Direction> = gaps.iter().map(direction).collect();
+    let mobility = Mobility::at(&mut point);
     for ((load, _), direction) in gaps.iter().zip(&directions) {
         let Some(id) = mechanism.loads.iter().position(|it| it.name.text == load.name.text).map(LoadId)
         else {
@@ -178,12 +160,7 @@ fn blows(mechanism: &Mechanism, equations: &Equations, assembly: &Assembly) -> V
             continue;
         }
         let Some((stiffness, exponent, speed)) = elastic(mechanism, load) else { continue };
-        let mut rows = matrix.clone();
-        direction.iter().for_each(|(index, value)| rows[*index][size] += value);
-        // Where M is singular, as of what has no mass, the other equations know more.
-        let Ok(moved) = eliminated(rows) else { continue };
-        let mobility: f64 = direction.iter().map(|(index, value)| value * moved[*index]).sum();
-        if mobility > 0.0 {
+        if let Some(mobility) = mobility.along(direction) {
             let mass = 1.0 / mobility;
             let time = contact_time(mass, stiffness, exponent, speed);
             let speed = (exponent != 1.0).then_some(speed);

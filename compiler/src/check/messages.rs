@@ -382,9 +382,26 @@ pub fn rigid_with_friction(friction: &str, name: &str) -> String {
     )
 }
 
+pub fn no_friction_time(name: &str) -> String {
+    format!(
+        "how quickly `{name}` brakes near rest does not follow: its law has a `speed` below which it is smooth, and something presses it at the start, or \
+         neither is so here"
+    )
+}
+
+pub fn friction_too_quick(name: &str, time: f64, least: f64, pressed: f64) -> String {
+    format!(
+        "near rest `{name}`, pressed by {} N at the start, brakes in {} s, less than the {} s that are expected: make its `speed` larger, or the steps \
+         shorter, 2.78 of that at most",
+        number(pressed),
+        number(time),
+        number(least)
+    )
+}
+
 pub fn no_contact_time(name: &str) -> String {
     format!(
-        "how long a touch of `{name}` takes does not follow from its law: only of `kelvin_voigt`, `hunt_crossley` and `hertz`"
+        "how long a touch of `{name}` takes does not follow from its law: only of `kelvin_voigt`, `hunt_crossley`, `hertz` and `hertz_line`"
     )
 }
 

@@ -30,7 +30,7 @@ pub mod toothings;
 
 pub use conditions::{Condition, Conditions, StartTarget};
 pub use coordinates::{Ball, Layout, Linear, MultiTurn, Owner, Rotation, Symbols};
-pub use friction::{Friction, closed};
+pub use friction::{Braked, Friction, braked, closed};
 pub use jet::{Jet, Moving};
 pub use kinematics::Kinematics;
 pub use laws::{Laws, Totals, power};

@@ -3,11 +3,11 @@
 use super::lower::Lowering;
 use super::names::Part;
 use super::quantities::Found;
-use super::{Coordinate, Expr, JointId, Load, LoadId, Quantity, Rotor, Space, Subject};
+use super::{Coordinate, Expr, JointId, Load, LoadId, LoadTime, Quantity, Rotor, Space, Subject};
 use crate::diagnostics::Region;
 use crate::forms::Bearing;
 use crate::messages;
-use crate::syntax::{self, Label, OptionEntry, Path, SubjectTerm};
+use crate::syntax::{self, Entry, Label, OptionEntry, Path, SubjectTerm};
 use crate::units::Dimension;
 
 /// How many joints may have dry friction: which of them hold is found among all ways in which they may hold and slide.
@@ -41,6 +41,22 @@ impl<'d> Lowering<'d> {
         }
         let way = if bearing.turns() { Dimension::ANGLE } else { Dimension::LENGTH };
         Some(Subject::Bearing(JointId(index), way))
+    }
+
+    /// `friction_time(rub) >= 1e-4 [s]`
+    pub(super) fn friction_time(&mut self, path: &Path, time: &syntax::Term) -> Option<LoadTime> {
+        let load = match self.names.part(&path.text) {
+            Some(Part::Load(index)) if self.definition.loads[index].form.rubs => LoadId(index),
+            _ => {
+                let definition = self.definition;
+                let rubs = |part| matches!(part, Part::Load(index) if definition.loads[index].form.rubs);
+                let message = self.names.not_found("friction", &path.text, rubs);
+                self.diagnostics.error(path.region, message);
+                return None;
+            }
+        };
+        let least = self.number(&Entry::bare(time.clone()), Dimension::TIME, "friction_time")?;
+        Some(LoadTime { load, least, span: path.region.to(time.region) })
     }
 
     /// What a friction has: what presses and, where its surfaces slide along one coordinate, how fast and what resists.

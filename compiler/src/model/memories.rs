@@ -9,7 +9,9 @@
 
 use super::lower::{Lowering, Use, declared, declared_unit, name};
 use super::names::Value;
-use super::{Coordinate, DeclaredUnit, Driver, Expr, Function2, LoadId, Mechanism, MemoryId, Name, Quantity, fold};
+use super::{
+    Coordinate, DeclaredUnit, Driver, Expr, Function2, LoadId, Mechanism, MemoryId, Name, Quantity, fold,
+};
 use crate::messages;
 use crate::syntax::{self, OptionEntry, TermKind, Way};
 use crate::units::Dimension;

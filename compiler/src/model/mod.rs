@@ -567,7 +567,8 @@ pub struct Expect {
     pub degrees_of_freedom: Option<(usize, Region)>,
     pub budgets: Vec<Budget>,
     pub motion: MotionExpected,
-    pub contact_times: Vec<ContactTime>,
+    pub contact_times: Vec<LoadTime>,
+    pub friction_times: Vec<LoadTime>,
     pub frequencies: Vec<Frequency>,
     pub deflections: Vec<Deflection>,
 }
@@ -597,9 +598,9 @@ pub struct Frequency {
     pub span: Region,
 }
 
-/// `contact_time(touch) >= 1e-3 [s];`
+/// `contact_time(touch) >= 1e-3 [s];` or `friction_time(rub) >= 1e-4 [s];`
 #[derive(Clone, Debug)]
-pub struct ContactTime {
+pub struct LoadTime {
     pub load: LoadId,
     /// s.
     pub least: f64,

@@ -167,6 +167,9 @@ impl<'d> Lowering<'d> {
                 ExpectEntry::ContactTime(path, time) => {
                     expect.contact_times.extend(self.contact_time(path, time))
                 }
+                ExpectEntry::FrictionTime(path, time) => {
+                    expect.friction_times.extend(self.friction_time(path, time))
+                }
                 ExpectEntry::Frequency(path, side, bound) => {
                     expect.frequencies.extend(self.frequency(path, *side, bound));
                 }

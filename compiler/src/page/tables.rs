@@ -176,7 +176,10 @@ pub fn loads(page: &mut String, compiled: &Compiled) {
         });
         let on: Vec<String> = on.collect();
         let data = match load.form.law {
-            Law::None => arguments(mechanism, load),
+            Law::None => match braking(compiled, load) {
+                Some(braking) => format!("{}; {braking}", arguments(mechanism, load)),
+                None => arguments(mechanism, load),
+            },
             _ if blow(compiled, load).is_some() => blow(compiled, load).unwrap_or_default(),
             Law::Value(_) | Law::Conjugate | Law::Components(_) => law(mechanism, &load.law),
         };
@@ -186,6 +189,12 @@ pub fn loads(page: &mut String, compiled: &Compiled) {
     if let Some(vibration) = compiled.vibration {
         page.push_str(&format!("\nOf joints that yield, {vibration}.\n"));
     }
+}
+
+/// What a friction is like near rest.
+fn braking(compiled: &Compiled, load: &Load) -> Option<String> {
+    let named = |id: LoadId| compiled.mechanism.loads[id.0].name.text == load.name.text;
+    compiled.braking.iter().find(|(id, _)| named(*id)).map(|(_, braking)| braking.to_string())
 }
 
 /// What a touch of a contact is like.

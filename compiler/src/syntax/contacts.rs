@@ -1,6 +1,6 @@
 //! Surfaces, materials, contacts and limits. What a surface is and which pairs touch is left to `model`.
 
-use super::definition::{Contact, ContactLawTerm, ContactTerm, ExpectEntry, Label, Material, Surface};
+use super::definition::{Contact, ContactLawTerm, ContactTerm, Label, Material, Path, Surface, Term};
 use super::expression::is_call;
 use super::parser::{Failed, Parsed, Parser};
 use super::token::Cursor;
@@ -111,17 +111,18 @@ impl Parser<'_> {
         self.contact_law(c, name, ContactTerm::Limit(quantity, range))
     }
 
-    /// `(touch) >= 1e-3 [s]` after the word `contact_time`.
-    pub fn contact_time(&mut self, c: &mut Cursor) -> Parsed<ExpectEntry> {
+    /// `(touch) >= 1e-3 [s]` after the word `contact_time` or `friction_time`.
+    pub fn time_of(&mut self, c: &mut Cursor, word: &str, of: &str) -> Parsed<(Path, Term)> {
         let mut inside = self.group(c, Delimiter::Parenthesis)?;
-        let contact = self.path(&mut inside, "the name of a contact")?;
+        let load = self.path(&mut inside, &format!("the name of a {of}"))?;
         self.end(&inside, "`)`")?;
         if !c.at_puncts('>', '=') {
-            return self.expected(c, "`>=` and a time, such as `contact_time(touch) >= 1e-3 [s]`");
+            return self
+                .expected(c, &format!("`>=` and a time, such as `{word}({}) >= 1e-3 [s]`", load.text));
         }
         c.advance();
         c.advance();
-        Ok(ExpectEntry::ContactTime(contact, self.expression(c)?))
+        Ok((load, self.expression(c)?))
     }
 
     pub(super) fn contact_law(&mut self, c: &mut Cursor, name: Label, on: ContactTerm) -> Parsed<()> {

@@ -428,6 +428,8 @@ pub enum ExpectEntry {
     Within(Path, RangeTerm),
     /// A blow of a contact that takes at least so long.
     ContactTime(Path, Term),
+    /// `friction_time(rub) >= 1e-4 [s]`
+    FrictionTime(Path, Term),
     /// A mode of a beam whose frequency by itself is on one side of a bound.
     Frequency(Path, Side, Term),
     /// A place of a beam that is on one side of a bound off the axis of its frame.

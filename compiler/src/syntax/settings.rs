@@ -157,13 +157,14 @@ impl Parser<'_> {
     /// `{ degrees_of_freedom = 1; operations <= 400; live_values(mass_matrix) <= 40; rotates = crank_pin; no_singularity;
     /// knee.angle in 10..170 [deg]; follow.force > 0; }`
     pub fn expect(&mut self, c: &mut Cursor) -> Parsed<()> {
-        const KNOWN: [&str; 8] = [
+        const KNOWN: [&str; 9] = [
             "degrees_of_freedom",
             "operations",
             "live_values",
             "rotates",
             "no_singularity",
             "contact_time",
+            "friction_time",
             "frequency",
             "deflection",
         ];
@@ -174,7 +175,7 @@ impl Parser<'_> {
                 parser.definition.expect.push(entry);
                 return Ok(());
             }
-            let known = "`degrees_of_freedom`, `operations`, `live_values`, `rotates`, `no_singularity`, `contact_time`, `frequency` or `deflection`";
+            let known = "`degrees_of_freedom`, `operations`, `live_values`, `rotates`, `no_singularity`, `contact_time`, `friction_time`, `frequency` or `deflection`";
             let fact = parser.word(c, known)?;
             if let Some(of) = Budgeted::ALL.into_iter().find(|of| of.word() == fact.text) {
                 let budget = parser.budget(c, of, fact.region)?;
@@ -193,7 +194,14 @@ impl Parser<'_> {
                     let (count, end) = parser.count(c)?;
                     ExpectEntry::DegreesOfFreedom(count, fact.region.to(end))
                 }
-                "contact_time" => parser.contact_time(c)?,
+                "contact_time" => {
+                    let (contact, time) = parser.time_of(c, "contact_time", "contact")?;
+                    ExpectEntry::ContactTime(contact, time)
+                }
+                "friction_time" => {
+                    let (friction, time) = parser.time_of(c, "friction_time", "friction")?;
+                    ExpectEntry::FrictionTime(friction, time)
+                }
                 "frequency" => parser.frequency(c)?,
                 "deflection" => parser.deflection(c)?,
                 word => return parser.fail(fact.region, messages::unknown_expectation(word, &KNOWN)),

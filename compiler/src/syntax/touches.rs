@@ -16,13 +16,16 @@ const WORD: &str = "touch";
 impl Parser<'_> {
     /// Declares what keeps the speeds with which the contact `name` touches, if its law asks for that, and writes its name there.
     pub(super) fn remember_touches(&mut self, name: &Label, law: &mut Named) {
-        let Some((_, speed)) = law.entries.iter_mut().find(|(label, _)| label.text == "speed") else { return };
+        let Some((_, speed)) = law.entries.iter_mut().find(|(label, _)| label.text == "speed") else {
+            return;
+        };
         let region = speed.value.region;
         if !self.is_touch(speed) {
             return;
         }
         let of_contact = |what: &str| {
-            let kind = TermKind::Name(Path::joined(vec![name.clone(), Label { text: what.to_string(), region }]));
+            let kind =
+                TermKind::Name(Path::joined(vec![name.clone(), Label { text: what.to_string(), region }]));
             Term { kind, region, height: 0 }
         };
         let own = |what: &str| Label { text: format!("{}.{what}", name.text), region };

@@ -3,11 +3,11 @@
 //! Gaps of two surfaces stand in `pairs`.
 
 use super::laws::{LawReader, May};
+use super::pairs::{Meeting, Shape};
 use super::{Read, Reader};
 use crate::error::DefinitionError;
 use crate::expression::{Expression, Function, Operator};
 use crate::json::{field, list, name, optional, text};
-use super::pairs::{Meeting, Shape};
 use crate::kinematics::Place;
 use crate::load::{Acts, Load};
 use crate::table::Table;
@@ -246,8 +246,8 @@ impl LawReader<'_, '_> {
                         scaled(4.0 * radius.sqrt() / (3.0 * compliance), powered(inside, 1.5))
                     }
                     "hertz_line" => {
-                        let radii = radii
-                            .ok_or_else(|| DefinitionError::value(own, "surfaces without curvature"))?;
+                        let radii =
+                            radii.ok_or_else(|| DefinitionError::value(own, "surfaces without curvature"))?;
                         let compliance =
                             reader.compliance(law, "first", own)? + reader.compliance(law, "second", own)?;
                         let stiffness = PI * reader.needed(law, "length", own)? / compliance;

@@ -307,4 +307,3 @@ fn square(way: &[Expression; 3]) -> Expression {
 fn root(square: Expression) -> Expression {
     Expression::unary(Function::Sqrt, two(Operator::Max, square, Expression::Number(TINY)))
 }
-

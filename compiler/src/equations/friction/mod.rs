@@ -22,11 +22,11 @@ mod touching;
 pub use dry::{bounds, shares, slidings};
 pub use normal::{Friction, closed, friction, symbols};
 
-use super::jet::Moving;
+use super::jet::{Jet, Moving};
 use super::laws::Laws;
 use super::loads::{LoadKind, LoadTerms, along};
 use crate::model::Load;
-use crate::symbolic::{Compare, Scalar};
+use crate::symbolic::{Compare, Node, Scalar};
 
 /// The laws of friction, which the plane and space have in common.
 pub static LAWS: &[&LoadKind] = &[&coulomb::LOAD, &stribeck::LOAD, &lugre::LOAD, &asperity::LOAD, &dry::LOAD];
@@ -89,6 +89,26 @@ struct Slip<'g> {
     normal: Vec<Scalar<'g>>,
     /// Of a contact, whether it is closed.
     closed: Option<Scalar<'g>>,
+}
+
+/// What a friction brakes: coordinates whose rates, each times its lever, are the components of one sliding.
+pub struct Braked {
+    pub along: Vec<Jet>,
+    pub levers: Vec<Node>,
+    /// What N acts by.
+    pub arm: Node,
+    /// N.
+    pub pressed: Node,
+}
+
+pub fn braked(laws: &Laws, load: &Load) -> Vec<Braked> {
+    let of = |slip: Slip| Braked {
+        along: slip.along.iter().map(|(coordinate, _)| coordinate.jet.clone()).collect(),
+        levers: slip.along.iter().map(|(_, lever)| lever.bare).collect(),
+        arm: slip.radius.bare,
+        pressed: slip.pressed.bare,
+    };
+    slips(laws, load).into_iter().map(of).collect()
 }
 
 fn slips<'g>(laws: &Laws<'g>, load: &Load) -> Vec<Slip<'g>> {

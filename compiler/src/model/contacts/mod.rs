@@ -18,8 +18,8 @@ use super::names::Part;
 use super::unused::Scope;
 use super::values::Typed;
 use super::{
-    Comparison, Condition, ContactTime, Expr, Function1, Function2, Load, MemoryId, Quantity, Sliding,
-    Subject, fold,
+    Comparison, Condition, Expr, Function1, Function2, Load, LoadTime, MemoryId, Quantity, Sliding, Subject,
+    fold,
 };
 use crate::diagnostics::Region;
 use crate::messages;
@@ -297,7 +297,7 @@ impl<'d> Lowering<'d> {
     }
 
     /// `contact_time(touch) >= 1e-3 [s]`
-    pub(super) fn contact_time(&mut self, path: &Path, time: &syntax::Term) -> Option<ContactTime> {
+    pub(super) fn contact_time(&mut self, path: &Path, time: &syntax::Term) -> Option<LoadTime> {
         let Some(index) = self.contact_named(&path.text) else {
             let message =
                 self.names.not_found("contact", &path.text, |part| matches!(part, Part::Contact(_)));
@@ -306,7 +306,7 @@ impl<'d> Lowering<'d> {
         };
         let least = self.number(&Entry::bare(time.clone()), Dimension::TIME, "contact_time")?;
         let load = self.load_of_contact(index);
-        Some(ContactTime { load, least, span: path.region.to(time.region) })
+        Some(LoadTime { load, least, span: path.region.to(time.region) })
     }
 
     fn moving(&mut self, gap: &Expr, region: Region) -> Option<()> {

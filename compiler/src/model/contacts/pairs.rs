@@ -258,7 +258,10 @@ impl Nearest {
         let s2 = clamp(sum(product(b.clone(), clamp(s0, &lengths[0])), f), &lengths[1]);
         let s1 = clamp(sum(product(b, s2.clone()), mc), &lengths[0]);
         let at = |place: &Place, t: &Expr, s: &Expr, axis| {
-            sum(coordinate(Coordinate::Position(Box::new(place.clone()), axis)), product(s.clone(), t.clone()))
+            sum(
+                coordinate(Coordinate::Position(Box::new(place.clone()), axis)),
+                product(s.clone(), t.clone()),
+            )
         };
         let foot = [0, 1, 2].map(|axis| at(&second[0], &t2[axis], &s2, axis));
         let way = [0, 1, 2].map(|axis| difference(at(&first[0], &t1[axis], &s1, axis), foot[axis].clone()));

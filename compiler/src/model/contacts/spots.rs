@@ -3,7 +3,8 @@
 //! The point is halfway between both surfaces, the normal of unit length from the second of a pair to the first, along the axes of the world.
 
 use super::pairs::{
-    Beside, Edge, Meeting, Nearest, Tilt, about, coordinate, direction, edges, profile, root, square, squares, unit,
+    Beside, Edge, Meeting, Nearest, Tilt, about, coordinate, direction, edges, profile, root, square,
+    squares, unit,
 };
 use super::surfaces::Shape;
 use super::{difference, least, most, product, quotient, sum};
