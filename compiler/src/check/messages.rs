@@ -384,15 +384,13 @@ pub fn rigid_with_friction(friction: &str, name: &str) -> String {
 
 pub fn no_friction_time(name: &str) -> String {
     format!(
-        "how quickly `{name}` brakes near rest does not follow: its law has a `speed` below which it is smooth, and something presses it at the start, or \
-         neither is so here"
+        "how quickly `{name}` brakes near rest does not follow: nothing presses it at the start, or it sticks, or its law depends on inputs or on what moves"
     )
 }
 
 pub fn friction_too_quick(name: &str, time: f64, least: f64, pressed: f64) -> String {
     format!(
-        "near rest `{name}`, pressed by {} N at the start, brakes in {} s, less than the {} s that are expected: make its `speed` larger, or the steps \
-         shorter, 2.78 of that at most",
+        "near rest `{name}`, pressed by {} N at the start, brakes within {} s, less than the {} s that are expected: make its `speed` larger, or bristles softer",
         number(pressed),
         number(time),
         number(least)

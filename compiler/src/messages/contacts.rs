@@ -18,6 +18,24 @@ pub(crate) fn unknown_contact(word: &str) -> String {
     )
 }
 
+/// `of`: how many surfaces each side has.
+pub(crate) fn too_many_pairs(name: &str, of: &[usize], most: usize) -> String {
+    let of: Vec<String> = of.iter().map(usize::to_string).collect();
+    format!(
+        "`{name}` would be {} contacts, which all stand in the code and are looked at in every step; there may be {most}: write those that can touch, as by \
+         `repeat`",
+        of.join(" times ")
+    )
+}
+
+pub(crate) fn each_of_one() -> String {
+    "`each` goes over an index that is not known yet, as `each shoe[i].pad` does over `i`: this is one surface, so leave `each` out".to_string()
+}
+
+pub(crate) fn each_of_none(pattern: &str) -> String {
+    format!("no surface `{pattern}` is declared in front of this contact, whatever its index is")
+}
+
 pub(crate) fn contact_by_penalty(name: &str, laws: &[&Form]) -> String {
     let laws: Vec<String> = laws.iter().map(|law| format!("`{}`", law.word)).collect();
     format!(

@@ -2,6 +2,7 @@
 
 use super::definition::{Contact, ContactLawTerm, ContactTerm, Label, Material, Path, Surface, Term};
 use super::expression::is_call;
+use super::pairs::eat_each;
 use super::parser::{Failed, Parsed, Parser};
 use super::token::Cursor;
 use crate::forms::Form;
@@ -68,11 +69,8 @@ impl Parser<'_> {
         Ok(())
     }
 
-    /// `name: between(surface, surface) = law;` or `name: gap(expression, slip = expression) = law;` after the word `contact`.
-    pub fn contact(&mut self, c: &mut Cursor) -> Parsed<()> {
-        let name = self.declared(c, "the name of the contact")?;
-        let name = self.own(name);
-        self.punct(c, ':')?;
+    /// `between(surface, surface) = law;` or `gap(expression, slip = expression) = law;`
+    pub(super) fn contact_of(&mut self, c: &mut Cursor, name: Label) -> Parsed<()> {
         let what = "`between(surface, surface)` or `gap(expression)`";
         let kind = self.word(c, what)?;
         if !matches!(kind.text.as_str(), "between" | "gap") {
@@ -80,8 +78,10 @@ impl Parser<'_> {
         }
         let mut inside = self.group(c, Delimiter::Parenthesis)?;
         let on = if kind.text == "between" {
+            eat_each(&mut inside);
             let first = self.path(&mut inside, "the name of a surface")?;
             self.punct(&mut inside, ',')?;
+            eat_each(&mut inside);
             ContactTerm::Between(first, self.path(&mut inside, "the name of another surface")?)
         } else {
             let gap = self.expression(&mut inside)?;

@@ -53,6 +53,7 @@ mod header;
 mod index;
 mod memories;
 mod modal;
+mod pairs;
 mod parser;
 mod parts;
 mod play;
