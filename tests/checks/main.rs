@@ -5,6 +5,7 @@ mod architecture;
 mod balances;
 mod both_orders;
 mod ceilings;
+mod contact_laws;
 mod convergence;
 mod dormand_prince;
 mod dry;

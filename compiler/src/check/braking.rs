@@ -79,8 +79,13 @@ pub fn braking(
         let name = &mechanism.loads[expected.load.0].name.text;
         match found.iter().find(|(id, _)| *id == expected.load).map(|(_, braking)| *braking) {
             None => errors.error(expected.span, messages::no_friction_time(name)),
-            Some(Braking { time, pressed, .. }) if time < expected.least => {
-                errors.error(expected.span, messages::friction_too_quick(name, time, expected.least, pressed))
+            Some(Braking { time, pressed, by }) if time < expected.least => {
+                let softer = match by {
+                    By::Smooth => "its `speed` larger",
+                    By::Bristles { .. } => "its `stiffness` and `damping` smaller",
+                };
+                let message = messages::friction_too_quick(name, time, expected.least, pressed, softer);
+                errors.error(expected.span, message);
             }
             Some(_) => {}
         }

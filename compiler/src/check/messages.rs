@@ -388,9 +388,10 @@ pub fn no_friction_time(name: &str) -> String {
     )
 }
 
-pub fn friction_too_quick(name: &str, time: f64, least: f64, pressed: f64) -> String {
+/// `softer`: what makes it slower.
+pub fn friction_too_quick(name: &str, time: f64, least: f64, pressed: f64, softer: &str) -> String {
     format!(
-        "near rest `{name}`, pressed by {} N at the start, brakes within {} s, less than the {} s that are expected: make its `speed` larger, or bristles softer",
+        "near rest `{name}`, pressed by {} N at the start, brakes within {} s, less than the {} s that are expected: make {softer}",
         number(pressed),
         number(time),
         number(least)

@@ -41,12 +41,6 @@ impl JointForm {
         self.call.positional.contains(&Positional::Line)
     }
 
-    /// Whether surfaces of it slide on each other: it moves, is no rod between two places, does not roll, and keeps more than an orientation.
-    pub fn slides(&self) -> bool {
-        let is_free = self.keeps_orientation && self.travels.len() > 1;
-        self.freedoms > 0 && !matches!(self.spans, Spans::Rod | Spans::Outline) && !is_free
-    }
-
     /// The name of what it exerts as one quantity, if it has one.
     pub fn effort(&self) -> Option<&'static str> {
         match self.spans {

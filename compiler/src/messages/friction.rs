@@ -64,15 +64,10 @@ pub(crate) fn law_of_friction_alone(word: &str) -> String {
     format!("`{word}` is a law of friction: write `friction name: on(joint) = {word}(…);`")
 }
 
-/// `slides`: whether anything does.
-pub(crate) fn no_bearing(joint: &str, kind: &str, slides: bool) -> String {
-    let why = match slides {
-        true => format!("friction in `{joint}`, a {kind} joint, is not there yet"),
-        false => format!("no surfaces slide on each other in `{joint}`, a {kind} joint"),
-    };
+pub(crate) fn no_bearing(joint: &str, kind: &str) -> String {
     format!(
-        "{why}: friction acts in revolute, prismatic, cylindrical, spherical, universal, constant_velocity, planar and screw joints and where a point slides along a line or \
-         curve or on a plane"
+        "no surfaces slide on each other in `{joint}`, a {kind} joint: friction acts in revolute, prismatic, cylindrical, spherical, universal, \
+         constant_velocity, planar and screw joints and where a point slides along a line or curve or on a plane"
     )
 }
 

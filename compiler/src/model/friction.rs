@@ -31,7 +31,7 @@ impl<'d> Lowering<'d> {
         let form = self.definition.joints[index].form;
         let kind = form.call.word;
         let Some(bearing) = form.bearing else {
-            self.diagnostics.error(label.region, messages::no_bearing(&label.text, kind, form.slides()));
+            self.diagnostics.error(label.region, messages::no_bearing(&label.text, kind));
             return None;
         };
         let (angles, _) = self.coordinates(JointId(index));

@@ -371,6 +371,13 @@ fn one_message_for_each_mistake() {
     };
     for (source, expected) in [
         (
+            of(
+                "surface anvil: circle(ground(3, 0) [m], radius [m] = 0.1); contact hit: between(ball.surface, anvil) = rigid(restitution = 0.5); contact touch: between(ball.surface, floor) = \
+                 hunt_crossley(force [N] = 1, depth [m] = 1, restitution = 0.5, speed = touch);",
+            ),
+            "`speed = touch` needs held gates, which beside `hit`, a rigid contact, what yields does not have yet: state the speed that is expected, `speed [m/s] = 1`",
+        ),
+        (
             of("contact touch: among(ball.surface, floor) = 0 [N];"),
             "a contact is `between(surface, surface)` or, for any other geometry, `gap(expression)` of positions that is negative in \
              contact; found `among`",
@@ -403,8 +410,8 @@ fn one_message_for_each_mistake() {
         (
             spatial("contact touch: between(coin.rim, ball.surface) = 0 [N];"),
             "there is no closed form for the gap between the rim of a disk and a point, circle or sphere: a point or sphere meets a plane, \
-             sphere, capsule, cylinder, ball_socket or bore; a capsule or disk_rim meets a plane. Any other gap is an expression of \
-             positions, `gap(…)`",
+             sphere, capsule, cylinder, ball_socket or bore; a capsule meets a plane or capsule, a disk_rim a plane. Any other gap is an \
+             expression of positions, `gap(…)`",
         ),
         (
             of("contact touch: gap(ball.center.y) = 1 [N]; output x [m] = touch.point.x;"),

@@ -59,7 +59,7 @@ fn a_curve_is_made_of_its_own_parameter() {
         ),
         (
             "y = wire.parameter) = penalty(stiffness [N/m] = 1e4)",
-            "`wire` holds its place on a curve, and a curve that yields is not there yet: leave `= penalty(…)` out",
+            "a point_on_curve that yields is a force along how far its place is off the curve: write `force wire: along(off) = -stiffness*(off)`",
         ),
     ] {
         let found = bad(&wire(arguments));

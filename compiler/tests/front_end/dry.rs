@@ -148,8 +148,8 @@ fn what_is_as_another_is_said_once() {
 
 #[test]
 fn friction_that_is_not_there_yet_is_no_lack_of_surfaces() {
-    let only = "friction acts in revolute, prismatic, cylindrical, spherical, universal, planar and screw joints and where a point slides along a line or \
-                curve or on a plane";
+    let only = "friction acts in revolute, prismatic, cylindrical, spherical, universal, constant_velocity, planar and screw joints and where a \
+                point slides along a line or curve or on a plane";
     for joint in ["fixed(ground(0, 0), b.center)", "parallel(ground(0, 0), b.center)"] {
         let (kind, _) = joint.split_once('(').expect("a joint");
         let source = format!(
@@ -163,8 +163,6 @@ fn friction_that_is_not_there_yet_is_no_lack_of_surfaces() {
              friction rub: on(j) = coulomb(coefficient = 0.3, speed [m/s] = 0.1); }}"
         )
     };
-    let velocity = "constant_velocity(ground(0, 0, 0), b.center, axis = (0, 0, 1))";
-    said(&spatial(velocity), "friction in `j`, a constant_velocity joint, is not there yet");
     for (joint, why) in [
         (
             "screw(ground(0, 0, 0), b.center, axis = (0, 0, 1), pitch [m] = 0.01)",

@@ -654,7 +654,7 @@ const MISTAKES: &[(&str, &str)] = &[
     ),
     (
         "expect { energy in 1..2 [J]; }",
-        r#"nothing that can be expected is called "energy"; there are degrees_of_freedom, operations, live_values, rotates, no_singularity, contact_time, frequency, deflection and ranges such as `knee.angle in 10..170 [deg]`"#,
+        r#"nothing that can be expected is called "energy"; there are degrees_of_freedom, operations, live_values, rotates, no_singularity, contact_time, friction_time, frequency, deflection and ranges such as `knee.angle in 10..170 [deg]`"#,
     ),
     ("expect { no_singularity; no_singularity; }", r#"`no_singularity` of `expect` is given twice"#),
     ("expect { operations = 3; }", "expected `<=`, found `=`"),
