@@ -125,7 +125,10 @@ pub fn contact_times(
         let blow = found.iter().find(|(id, _)| *id == expected.load).map(|(_, blow)| *blow);
         let name = &mechanism.loads[expected.load.0].name.text;
         match blow {
-            None => errors.error(expected.span, messages::no_contact_time(name)),
+            None => {
+                let is_known = elastic(mechanism, &mechanism.loads[expected.load.0]).is_some();
+                errors.error(expected.span, messages::no_contact_time(name, is_known));
+            }
             Some(blow) if blow.time < expected.least => {
                 errors.error(
                     expected.span,

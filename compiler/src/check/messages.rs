@@ -398,7 +398,14 @@ pub fn friction_too_quick(name: &str, time: f64, least: f64, pressed: f64, softe
     )
 }
 
-pub fn no_contact_time(name: &str) -> String {
+/// `is_known`: whether its law is.
+pub fn no_contact_time(name: &str, is_known: bool) -> String {
+    if is_known {
+        return format!(
+            "how long a touch of `{name}` takes does not follow, since nothing moves its gap at the start, as where a pin stands in the middle of its hole: \
+             begin a little beside that"
+        );
+    }
     format!(
         "how long a touch of `{name}` takes does not follow from its law: only of `kelvin_voigt`, `hunt_crossley`, `hertz` and `hertz_line`"
     )

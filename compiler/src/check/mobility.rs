@@ -1,15 +1,15 @@
 //! How easily a mechanism gives way along a direction at its start: J A Jᵀ with A the inverse of M on the velocities that constraints admit.
 
 use super::assemble::{Ancestry, Point};
-use super::steady::eliminated;
+use super::elimination::Eliminated;
 use crate::equations::{Equations, Jet};
 use crate::symbolic::Node;
 
 /// A direction, by the velocities that have a part in it.
 pub type Direction = Vec<(usize, f64)>;
 
-/// [M Dᵀ; D 0] at a state, and a column for what is asked.
-pub struct Mobility(Vec<Vec<f64>>);
+/// [M Dᵀ; D 0] at a state; nothing where that is singular, as of what has no mass.
+pub struct Mobility(Option<Eliminated>);
 
 impl Mobility {
     pub fn at(point: &mut Point) -> Self {
@@ -20,7 +20,7 @@ impl Mobility {
         point.evaluate(&Ancestry::of(equations, masses.into_iter().chain(columns)));
         let n = equations.layout.velocities();
         let size = n + rows.len();
-        let mut matrix = vec![vec![0.0; size + 1]; size];
+        let mut matrix = vec![vec![0.0; size]; size];
         for ((i, j), node) in &equations.mass {
             let value = point.get(*node);
             (matrix[*i][*j], matrix[*j][*i]) = (value, value);
@@ -31,15 +31,15 @@ impl Mobility {
                 (matrix[n + row][*index], matrix[*index][n + row]) = (value, value);
             }
         }
-        Mobility(matrix)
+        Mobility(Eliminated::of(matrix).ok())
     }
 
-    /// J A Jᵀ, 1/kg of a length and 1/(kg m²) of an angle; nothing where it is not above zero, or M is singular, as of what has no mass.
+    /// J A Jᵀ, 1/kg of a length and 1/(kg m²) of an angle; nothing where it is not known or not above zero.
     pub fn along(&self, direction: &Direction) -> Option<f64> {
-        let mut rows = self.0.clone();
-        let size = rows.len();
-        direction.iter().for_each(|(index, value)| rows[*index][size] += value);
-        let moved = eliminated(rows).ok()?;
+        let eliminated = self.0.as_ref()?;
+        let mut right = vec![0.0; eliminated.size()];
+        direction.iter().for_each(|(index, value)| right[*index] += value);
+        let moved = eliminated.solve(&right);
         let mobility: f64 = direction.iter().map(|(index, value)| value * moved[*index]).sum();
         (mobility > 0.0).then_some(mobility)
     }

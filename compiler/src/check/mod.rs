@@ -8,6 +8,7 @@ mod braking;
 mod contacts;
 mod cords;
 mod curves;
+mod elimination;
 mod friction;
 mod gears;
 mod held;

@@ -1,6 +1,7 @@
 //! Internal states that begin where they rest: ż = 0 by Newton's method, all else at the start.
 
 use super::assemble::{Ancestry, Assembly, Point};
+use super::elimination::eliminated;
 use super::messages;
 use crate::diagnostics::Diagnostics;
 use crate::equations::Equations;
@@ -13,8 +14,6 @@ const MOST: usize = 60;
 const SETTLED: f64 = 1e-12;
 /// Differences are taken across this part of it.
 const ACROSS: f64 = 1e-6;
-/// The least pivot, of the largest entry of its row.
-const SINGULAR: f64 = 1e-10;
 /// States grow that leave where they are faster than so, 1/s.
 const UNSTABLE: f64 = 1e3;
 
@@ -140,35 +139,4 @@ pub fn unstable<'m>(
     let mut rates = Rates::new(mechanism, equations, solved, assembly);
     let growth = mechanism.states.iter().enumerate().map(|(at, state)| (state, rates.column(&z, at)[at]));
     growth.filter(|(_, growth)| *growth > UNSTABLE).map(|(state, growth)| (state, 1.0 / growth)).collect()
-}
-
-/// x of A x = b, in rows [A b], or the first row without a pivot.
-pub(super) fn eliminated(mut rows: Vec<Vec<f64>>) -> Result<Vec<f64>, usize> {
-    let count = rows.len();
-    let mut which: Vec<usize> = (0..count).collect();
-    let largest: Vec<f64> = rows
-        .iter()
-        .map(|row| row[..count].iter().fold(0.0, |most: f64, entry| most.max(entry.abs())))
-        .collect();
-    for at in 0..count {
-        let relative = |row: &usize| rows[*row][at].abs() / largest[which[*row]];
-        let best = (at..count).max_by(|a, b| relative(a).total_cmp(&relative(b))).unwrap_or(at);
-        // Written so that a NaN is none.
-        if !(relative(&best) > SINGULAR && relative(&best).is_finite()) {
-            return Err(which[best]);
-        }
-        rows.swap(at, best);
-        which.swap(at, best);
-        let pivot = rows[at].clone();
-        for row in &mut rows[at + 1..] {
-            let factor = row[at] / pivot[at];
-            row.iter_mut().zip(&pivot).for_each(|(entry, pivot)| *entry -= factor * pivot);
-        }
-    }
-    let mut x = vec![0.0; count];
-    for at in (0..count).rev() {
-        let known: f64 = (at + 1..count).map(|k| rows[at][k] * x[k]).sum();
-        x[at] = (rows[at][count] - known) / rows[at][at];
-    }
-    Ok(x)
 }

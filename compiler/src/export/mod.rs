@@ -51,7 +51,9 @@ pub fn c(compiled: &Compiled, scalar: Scalar) -> Files {
 pub fn refused(compiled: &Compiled) -> Option<Diagnostics> {
     let mechanism = &compiled.mechanism;
     let mut found = Diagnostics::new();
-    if let Some(memory) = mechanism.memories.first() {
+    // Those of touches go with held gates.
+    let mut memories = mechanism.memories.iter().filter(|memory| memory.touch_of.is_none());
+    if let Some(memory) = memories.next() {
         found.error(memory.name.span, messages::memories_in_c(&memory.name.text));
         return Some(found);
     }

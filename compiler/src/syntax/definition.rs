@@ -77,10 +77,16 @@ pub struct Definition {
 }
 
 impl Definition {
-    /// The first of what is held between events, or sets it.
+    /// The first of what is held between events, or sets it, but for the speeds of touches, which go with held gates.
     pub fn memory_or_event(&self) -> Option<&Label> {
-        let memories = self.memories.iter().map(|memory| &memory.name);
-        memories.chain(self.events.iter().map(|event| &event.name)).next()
+        let of_touch = |memory: &&Memory| memory.touch_of.is_some();
+        let memories = self.memories.iter().filter(|memory| !of_touch(memory)).map(|memory| &memory.name);
+        let sets_touch = |event: &&Event| {
+            let mut touches = self.memories.iter().filter(of_touch);
+            touches.any(|memory| event.sets.iter().any(|(set, _)| set.text == memory.name.text))
+        };
+        let events = self.events.iter().filter(|event| !sets_touch(event)).map(|event| &event.name);
+        memories.chain(events).next()
     }
 }
 

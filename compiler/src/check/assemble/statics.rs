@@ -3,7 +3,7 @@
 
 use super::{Ancestry, Point, attempts, messages, problem, rates};
 use crate::beams::Shapes;
-use crate::check::steady::eliminated;
+use crate::check::elimination::eliminated;
 use crate::diagnostics::{Diagnostics, Region};
 use crate::equations::{Equations, Linear};
 use crate::model::{Coordinate, Deforms, Expr, Mechanism};
