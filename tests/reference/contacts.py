@@ -203,10 +203,12 @@ class Contacts:
             self.own = outer
         return found
 
+    def adheres(self, name):
+        return bool(find(self.definition, name)["law"].get("adhesion"))
+
     def pressing(self, name):
         """Positive where a closed gap stays closed: what adheres parts by its gap alone."""
-        law = find(self.definition, name)["law"]
-        return [ca.SX(1) if law.get("adhesion") else found for found in self.laws(name)]
+        return [ca.SX(1) if self.adheres(name) else found for found in self.laws(name)]
 
     def closed(self, name):
         """Whether surfaces touch, at each gap."""

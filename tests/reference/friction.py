@@ -100,7 +100,9 @@ def in_contact(load, kinematics):
     if contacts.is_dry(load):
         slidings = touching.slidings(load["name"])
         return ca.vertcat(*slidings), ca.vertcat(*[touching.gates[load["name"], k] for k in range(len(slidings))])
-    places = zip(touching.closed(load["on"]), touching.forces(load["on"]), touching.sliding(load["on"]))
+    # What adheres presses nothing while it pulls.
+    pressing = [ca.if_else(force > 0, force, 0) if touching.adheres(load["on"]) else force for force in touching.forces(load["on"])]
+    places = zip(touching.closed(load["on"]), pressing, touching.sliding(load["on"]))
     deflections = iter(bristles.own(load, kinematics.model))
     for closed, pressed, (velocity, normal) in places:
         if load["kind"] in bristles.KINDS:

@@ -178,6 +178,8 @@ pub struct Load {
     pub ungated: Vec<Expr>,
     /// Of a rigid contact: at each of its gaps the share of the speed of approach with which it parts.
     pub restitutions: Vec<Expr>,
+    /// Whether a contact may pull, which presses nothing.
+    pub adheres: bool,
     /// Its internal states, among those of the mechanism.
     pub states: Range<usize>,
     /// Of a load between teeth: the pair, and what its stiffness is made of.

@@ -43,6 +43,7 @@ impl<'d> Lowering<'d> {
             slides: Vec::new(),
             ungated,
             restitutions: Vec::new(),
+            adheres: false,
         })
     }
 

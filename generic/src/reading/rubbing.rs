@@ -1,10 +1,11 @@
 //! Where contacts touch, and how their surfaces slide there.
 
+use super::contacts::two;
 use super::laws::{LawReader, May};
 use super::pairs::Between;
 use super::{Read, Reader};
 use crate::error::DefinitionError;
-use crate::expression::Expression;
+use crate::expression::{Expression, Operator};
 use crate::json::{name, optional};
 use crate::kinematics::Place;
 use crate::law::{Law, Rate};
@@ -16,7 +17,10 @@ impl Reader<'_> {
         let touching = self.touching(own)?.into_iter().enumerate();
         let spot = |(which, meeting)| {
             let node = self.contact_named(own)?.ok_or_else(|| DefinitionError::unknown(own, own))?;
-            let force = self.reading(own, May::Motion, |law| law.force(node, own, which))?;
+            // What pulls presses nothing.
+            let force = self.reading(own, May::Motion, |law| {
+                Ok(two(Operator::Max, law.force(node, own, which)?, Expression::Number(0.0)))
+            })?;
             Ok(Spot { meeting, force })
         };
         touching.map(spot).collect()

@@ -135,6 +135,7 @@ linkwright::mechanism! {
         contact sticks: between(plate.sole, floor) = kelvin_voigt(stiffness [N/m] = 90, damping [N*s/m] = 12, release = 0.8, adhesion = on);
         limit clings: pivot.angle [rad] in -1..0.1 = hunt_crossley(force [N*m] = 5, depth [rad] = 0.2, dissipation [s/rad] = 0.9, adhesion = on);
         friction grip: on(along) = coulomb(coefficient = 0.3, speed [m/s] = 0.1);
+        friction drag: on(sticks) = coulomb(coefficient = 0.2, speed [m/s] = 0.1);
         start { roll.center.x [m] = 0.3; roll.center.y [m] = 1.2; roll.angle [rad] = 0; wheel.center.x [m] = 0.75; wheel.center.y [m] = 0.6; wheel.angle [rad] = 0;
                 plate.center.x [m] = -0.4; plate.center.y [m] = 0.03; plate.angle [rad] = 0.1; pivot.angle [rad] = 0.3; pivot.rate [rad/s] = 1; }
         options { emit = (penalty, projection, null_space, tangent); }

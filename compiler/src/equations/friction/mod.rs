@@ -71,7 +71,8 @@ fn deflections<'g>(laws: &Laws<'g>, load: &Load) -> Vec<Vec<Scalar<'g>>> {
 /// N, the preload included.
 pub fn pressed<'g>(laws: &Laws<'g>, load: &Load) -> Scalar<'g> {
     if let Some(contact) = load.contact() {
-        return laws.g.sum(laws.mechanism.loads[contact.0].law.iter().map(|force| laws.value(force)));
+        let contact = &laws.mechanism.loads[contact.0];
+        return laws.g.sum(contact.law.iter().map(|force| touching::pressing(laws, contact, force)));
     }
     let own = load.normal.and_then(|which| laws.symbols.normals.get(which));
     let own = own.map_or_else(|| laws.g.zero(), |own| laws.g.on(*own));

@@ -23,9 +23,15 @@ pub(super) fn slips<'g>(laws: &Laws<'g>, contact: &Load) -> Vec<Slip<'g>> {
             Some(id) => laws.g.number(0.5).compare(Compare::Less, laws.gate(id, which)),
             None => laws.value(gap).compare(Compare::Less, laws.g.zero()),
         };
-        Slip { pressed: laws.value(force), closed: Some(closed), ..slip(laws, sliding) }
+        Slip { pressed: pressing(laws, contact, force), closed: Some(closed), ..slip(laws, sliding) }
     });
     slips.collect()
+}
+
+/// What a contact presses with along one of its gaps: nothing while it pulls.
+pub(super) fn pressing<'g>(laws: &Laws<'g>, contact: &Load, force: &Expr) -> Scalar<'g> {
+    let force = laws.value(force);
+    if contact.adheres { force.max(laws.g.zero()) } else { force }
 }
 
 /// Without what presses, whose law may name the sliding.

@@ -58,6 +58,7 @@ struct Forces {
     elastic: Option<[Expr; 3]>,
     /// Of a rigid one.
     restitutions: Vec<Expr>,
+    adheres: bool,
 }
 
 /// What touches.
@@ -96,7 +97,7 @@ impl<'d> Lowering<'d> {
         let definition = self.definition;
         let index = definition.contacts.iter().position(|it| std::ptr::eq(it, contact))?;
         let geometry = self.geometry(index)?;
-        let Forces { along: law, ungated, elastic, restitutions } = self.forces(index)?;
+        let Forces { along: law, ungated, elastic, restitutions, adheres } = self.forces(index)?;
         let on = geometry.meetings.into_iter().map(|it| Subject::Expression(it.gap, geometry.dimension));
         let values = elastic.into_iter().flatten().map(|value| vec![value]).collect();
         let (name, form) = (name(&contact.name), contact.form);
@@ -113,6 +114,7 @@ impl<'d> Lowering<'d> {
             slides,
             ungated,
             restitutions,
+            adheres,
         })
     }
 
@@ -339,16 +341,20 @@ impl<'d> Lowering<'d> {
             if rigid::is_rigid(contact) {
                 return self.rigid(index, &geometry);
             }
-            let mut forces =
-                Forces { along: Vec::new(), ungated: Vec::new(), elastic: None, restitutions: Vec::new() };
+            let mut forces = Forces {
+                along: Vec::new(),
+                ungated: Vec::new(),
+                elastic: None,
+                restitutions: Vec::new(),
+                adheres: false,
+            };
             for (which, meeting) in geometry.meetings.iter().enumerate() {
                 self.contacts.law_of = Some((index, which));
-                let mut adheres = false;
                 let law = match &contact.law {
                     ContactLawTerm::Named(form, named, region) => {
                         let law = self.named_law(index, form, named, *region, meeting, geometry.dimension)?;
                         forces.elastic = Some(law.elastic);
-                        adheres = law.adheres;
+                        forces.adheres = law.adheres;
                         law.force
                     }
                     ContactLawTerm::Expression(term) => {
@@ -364,7 +370,7 @@ impl<'d> Lowering<'d> {
                     let closed = Condition::Compare(Comparison::Less, Expr::Number(0.5), gate);
                     forces.along.push(where_closed(closed, law.clone()));
                     // Of what adheres the gap alone says when it parts.
-                    forces.ungated.push(if adheres { Expr::Number(1.0) } else { law });
+                    forces.ungated.push(if forces.adheres { Expr::Number(1.0) } else { law });
                 } else {
                     forces.along.push(gated(&meeting.gap, law));
                 }

@@ -49,6 +49,7 @@ impl<'d> Lowering<'d> {
         Some(Forces {
             along: gaps.clone().map(|which| Expr::Gate(load, which)).collect(),
             ungated: gaps.map(|_| Expr::Number(0.0)).collect(),
+            adheres: false,
             elastic: None,
             restitutions,
         })
