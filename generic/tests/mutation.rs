@@ -3,7 +3,7 @@
 //! each at one of some states along the motion and with other velocities there.
 //!
 //! A pass of Newton's method corrects what an earlier one did wrong. So friction by reactions is judged with one pass, which the generic solver takes
-//! likewise; the foot on a curve is not judged. `tests/checks/reference/mutation.rs` does the same by recorded values of CasADi for what a recorded system has.
+//! likewise; the foot on a curve, and the force of a line contact, are not judged. `tests/checks/reference/mutation.rs` does the same by recorded values of CasADi for what a recorded system has.
 
 mod mapping;
 
@@ -522,7 +522,8 @@ fn every_mutant_is_caught<M: Model>(name: &str, texts: [&str; 2], trial: Trial) 
         if let Some(moment) = judge.provoked((*node, *change), &mut random) {
             judge.add(name, moment, &mut still.clone(), &mut generic);
             let case = &judge.cases[judge.cases.len() - 1];
-            assert!(judge.difference(case, None) < 0.01 * noticed, "{name}: a state that was sought");
+            let off = judge.difference(case, None);
+            assert!(off < 0.01 * noticed, "{name}, a state that was sought: {off:.1e}");
         }
         if !judge.is_noticed((*node, *change), &first) {
             let part = judge.alters(*node, *change);
@@ -567,7 +568,6 @@ judged! {
     landing: mechanisms::zoo_gates::Landing,
     loose_ball: mechanisms::zoo_loose::LooseBall,
     loose_loop: mechanisms::zoo_loose::LooseLoop,
-    rolling: mechanisms::zoo_contacts::Rolling,
     rubbing_beams: mechanisms::zoo_rubbing_beams::RubbingBeams,
     rubbing_bodies: mechanisms::zoo_rubbing::RubbingBodies,
     rubbing_pairs: mechanisms::zoo_rubbing::RubbingPairs,

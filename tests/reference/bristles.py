@@ -12,7 +12,7 @@ KINDS = ("lugre", "asperity")
 STATE = {"lugre": "bristle", "asperity": "way"}
 COMPONENTS = {
     "revolute": 1, "prismatic": 1, "screw": 1, "point_on_line": 1, "point_on_curve": 1, "universal": 2, "cylindrical": 2, "point_on_plane": 2,
-    "spherical": 3, "planar": 3,
+    "spherical": 3, "constant_velocity": 3, "planar": 3,
 }
 FORGETTING = 1e-3  # s
 SMALL = 1e-6  # of v_t, v_s or μ/k: what the length of several components is not less than

@@ -29,7 +29,7 @@ impl Reader<'_> {
         }
         let index = *self.joint_by_name.get(on).ok_or_else(|| DefinitionError::unknown(own, on))?;
         Ok(match self.joints[index].kind.as_str() {
-            "spherical" => [3, 3],
+            "spherical" | "constant_velocity" => [3, 3],
             "cylindrical" => [2, 2],
             "universal" => [1, 2],
             _ => [1, 1],

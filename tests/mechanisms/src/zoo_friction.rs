@@ -174,7 +174,7 @@ linkwright::mechanism! {
         friction f_main: on(main) = coulomb(coefficient = 0.1, radius [mm] = 10, speed [rad/s] = 0.1);
         friction f_knuckle: on(knuckle) = stribeck(static = 0.15, kinetic = 0.1, transition [rad/s] = 2, radius [mm] = 25, speed [rad/s] = 0.2);
         friction f_second: on(second) = lugre(static = 0.2, kinetic = 0.15, transition [rad/s] = 1, stiffness [1/rad] = 20, damping [s/rad] = 0.01, radius [mm] = 20);
-        start { main.rate [rad/s] = 3; swing.orientation ~ (0.95, 0.3, 0, 0); nose.orientation ~ (0.9, 0.3, 0.3, 0); }
+        start { main.angle [rad] = 0.2; main.rate [rad/s] = 3; swing.orientation ~ (0.95, 0.3, 0, 0); nose.orientation ~ (0.9, 0.3, 0.3, 0); }
         options { friction_passes = 4; }
         output pressed [N] = f_knuckle.normal + f_second.normal;
         output lost [W] = -power(f_main) - power(f_knuckle) - power(f_second);

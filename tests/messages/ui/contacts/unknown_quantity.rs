@@ -1,4 +1,4 @@
-//! There is no speed.
+//! There is none of that name.
 
 linkwright::mechanism! {
     planar Bench {
@@ -12,7 +12,7 @@ linkwright::mechanism! {
         contact third: between(arm.foot, floor) = kelvin_voigt(stiffness [N/m] = 1e4);
         start { ball.center.x [m] = 0; ball.center.y [m] = 1; other.center.x [m] = 3; other.center.y [m] = 1; arm.center.x [m] = 6; arm.center.y [m] = 1; }
         contact touch: between(ball.surface, floor) = kelvin_voigt(stiffness [N/m] = 1e4);
-        output speed [m/s] = touch.speed;
+        output speed [m/s] = touch.swing;
     }
 }
 
