@@ -28,6 +28,7 @@ const REFUSED: &[(&str, &str)] = &[
     ("gripping", RIGID),
     ("gripping_in_space", RIGID),
     ("hammer_at_rigid_wall", RIGID),
+    ("rasping", RIGID),
     ("remembering", "memories and events"),
     ("remembering_brakes", "memories and events"),
     ("remembering_impacts", "memories and events"),

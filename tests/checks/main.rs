@@ -38,6 +38,7 @@ mod rank;
 mod redundant;
 mod reference;
 mod rigid;
+mod rigid_rubbed;
 mod rubbing;
 mod self_check;
 mod sliding_surfaces;

@@ -59,18 +59,20 @@ pub fn contacts(
     }
     let mut point = Point::at_start(mechanism, equations, assembly);
     point.evaluate(&Ancestry::of_jets(equations, gaps.iter().map(|(_, jet)| jet)));
-    // Which is not dry, or presses on others by its reaction; what rubs where something yields is pressed by a force.
-    let yields = |load: &Load| load.contact().is_some_and(|at| mechanism.loads[at.0].restitutions.is_empty());
-    let is_smooth =
-        |load: &&Load| load.form.rubs && !yields(load) && (!load.form.holds || !equations.friction.is_none());
-    let rubs = mechanism.loads.iter().find(is_smooth).map(|load| &load.name);
+    // Friction of a contact itself that is not dry.
+    let smooth = |contact: &Load| {
+        let on = |load: &Load| {
+            load.contact().is_some_and(|at| mechanism.loads[at.0].name.text == contact.name.text)
+        };
+        mechanism.loads.iter().find(|load| load.form.rubs && !load.form.holds && on(load))
+    };
     let mut said: Option<&str> = None;
     for (load, jet) in &gaps {
         let (name, at) = (load.name.text.as_str(), load.name.span);
         if said == Some(name) {
             continue;
         }
-        if let (false, Some(friction)) = (load.restitutions.is_empty(), rubs) {
+        if let (false, Some(Load { name: friction, .. })) = (load.restitutions.is_empty(), smooth(load)) {
             said = Some(name);
             errors.error(friction.span, messages::rigid_with_friction(&friction.text, name));
             continue;

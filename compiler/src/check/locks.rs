@@ -69,8 +69,9 @@ pub fn locks(
         }
         return;
     }
-    let is_given =
-        mechanism.loads.iter().any(|load| load.arguments().any(|(_, it)| it.iter().any(Expr::is_given)));
+    // What is given from outside may press, and what touches later.
+    let is_given = mechanism.loads.iter().any(Load::is_contact)
+        || mechanism.loads.iter().any(|load| load.arguments().any(|(_, it)| it.iter().any(Expr::is_given)));
     for (which, [_, size]) in found.iter().enumerate() {
         let load = load(which);
         let own =

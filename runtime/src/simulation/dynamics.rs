@@ -250,9 +250,6 @@ where
         if !R::any(evaluation.pivot.greater_equal(R::NEAR_SINGULAR)) {
             self.see(time, state, &inputs, &mut evaluation, &mut a, &mut lambda);
         }
-        if first && model.rubs() {
-            self.watch.friction = unexplained(model, time, state, &inputs, &a, &lambda);
-        }
         let watch = &mut self.watch;
         if first {
             watch.first_pivot = evaluation.pivot;
@@ -265,6 +262,9 @@ where
         // They may name what rigid contacts exert now.
         let held = forces.map(|forces| core::mem::replace(&mut state.gates, forces));
         model.internal_rates(time, state, &inputs, &a, &lambda, &mut z);
+        if first && model.rubs() {
+            watch.friction = unexplained(model, time, state, &inputs, &a, &lambda);
+        }
         if let Some(held) = held {
             state.gates = held;
         }

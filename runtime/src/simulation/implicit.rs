@@ -146,19 +146,15 @@ where
         let to_rows = model.input_names().len();
         let [to_internal, to_accelerations] =
             [model.row_count(), model.row_count() + model.internal_count()].map(|it| to_rows + it);
-        for (&entry, &(row, column)) in friction.as_slice().iter().zip(model.friction_pattern()) {
+        let rubbing = || friction.as_slice().iter().zip(model.friction_pattern());
+        for (&entry, &(row, column)) in rubbing() {
             let (row, column) = (usize::from(row), usize::from(column));
-            if column >= to_accelerations {
-                add(row, column - to_accelerations, weights.mass * entry);
-            } else if column >= to_internal {
-                if weights.internal.is_some() {
-                    add(row, first + column - to_internal, entry);
-                }
-            } else if column >= to_rows {
-                add(row, n + column - to_rows, entry);
+            if (to_internal..to_accelerations).contains(&column) && weights.internal.is_some() {
+                add(row, first + column - to_internal, entry);
             }
         }
-        // Forces of rigid contacts, and of what sticks, follow what the others become; only the inertia and the multipliers are on their other side.
+        // Forces of rigid contacts, and of what sticks, follow what the others become by positions, velocities and states; they are those of the accelerations
+        // and multipliers that belong to these, and not of the unknown ones.
         if at_rest.is_some() {
             follow(model, &HeldRows::of(model, time, closed, &inputs, &self.held), entries, size);
         }
@@ -166,6 +162,14 @@ where
             let place = row * size + column;
             put(entries, place, at(entries, place) + value);
         };
+        for (&entry, &(row, column)) in rubbing() {
+            let (row, column) = (usize::from(row), usize::from(column));
+            if column >= to_accelerations {
+                add(row, column - to_accelerations, weights.mass * entry);
+            } else if (to_rows..to_internal).contains(&column) {
+                add(row, n + column - to_rows, entry);
+            }
+        }
         for (&entry, &(row, column)) in mass.as_slice().iter().zip(model.mass_pattern()) {
             let (row, column) = (row as usize, column as usize);
             add(row, column, weights.mass * entry);

@@ -6,14 +6,15 @@
 //!           P = (1 + e) P_c + X,    0 ≤ P_c ⟂ G P_c + ġ⁻ ≥ 0,    0 ≤ X ⟂ G P + ġ⁻ ≥ 0        (Poisson)
 //! rest      v̇ = v̇₀ + W λ,    0 ≤ λ ⟂ G λ + J v̇₀ + J̇ v ≥ 0
 //! ```
-//! v̇₀ is what the formulation finds without them. e is Newton's restitution, 0 where the flight after it would be a sliver of
+//! v̇₀ is what the formulation finds without them. Where friction in joints follows reactions, v̇ is no linear function of λ: W is then a slope, and λ is
+//! found by iteration; in impulses such friction has no share. e is Newton's restitution, 0 where the flight after it would be a sliver of
 //! the step: contacts that touch ever more often so come to rest. The force of one that rests is its gate; it opens where that would
 //! pull. Dry friction is another row of J, along what slides, in space three: it holds with up to μ_s λ, or slides one way with μ_k λ against
 //! it, until it has no speed; which of both is held from touch to touch. The problems themselves are solved in `complementarity.rs`, impulses and what follows
 //! them are `strike.rs`, where steps are parted is `held.rs`.
 
 use super::along_several::{alone, along_rates, is_first, size, together};
-use super::complementarity::{ROWS, complete, solved};
+use super::complementarity::{Few, ROWS, complete, solved};
 use super::sticking::SLOWER;
 use super::strike::SLOW;
 use super::{MechanismDynamics, Simulation};
@@ -39,6 +40,15 @@ pub(super) const LEAST: f64 = 1e-6;
 /// What a force that holds may be above what it can, as a part of that.
 pub(super) fn sharp<R: Real>() -> R {
     R::from_f64(1e-12).max(R::from_f64(64.0) * R::EPSILON)
+}
+
+/// The most passes that forces take beside friction by reactions, and a last change of them as a part of them.
+pub(super) const PASSES: u32 = 24;
+pub(super) const SETTLED: f64 = 1e-13;
+
+/// The largest in size.
+pub(super) fn largest<R: Real>(of: &Few<R>) -> R {
+    of.iter().fold(R::ZERO, |largest, x| largest.max(x.abs()))
 }
 
 /// What of a speed is rounding.
@@ -191,7 +201,38 @@ where
         }
         // Where what rubs has no solution nothing is known, and the step says so; what only pushes does not where it cannot.
         let without = if rubs { R::from_f64(f64::NAN) } else { R::ZERO };
-        let pressed = solved(&matrix, &right, gaps, count, (1 << count) - 1).unwrap_or([without; ROWS]);
+        let all = (1 << count) - 1;
+        let mut pressed = solved(&matrix, &right, gaps, count, all).unwrap_or([without; ROWS]);
+        if model.rubs() {
+            // Friction by reactions makes the accelerations no linear function of the forces: by Newton's method, with the slopes that there are.
+            let with = |pressed: &Few<R>, gates: &mut M::Gates| {
+                pressed.iter().zip(&ways).take(count).for_each(|(force, (.., one))| gates.axpy(*force, one));
+            };
+            let (mut moved, mut answered) = open.clone();
+            for pass in 0..=PASSES {
+                let mut own = zeros();
+                with(&pressed, &mut own);
+                solve(&own, &mut moved, &mut answered);
+                let rates = along(&moved);
+                for (right, (_, &i)) in right.iter_mut().zip(which.iter().enumerate().take(count)) {
+                    *right = at(rates.as_slice(), i) - at(drifts.as_slice(), i) + at(biases.as_slice(), i);
+                }
+                let Some(more) = solved(&matrix, &right, gaps, count, all).filter(|_| pass < PASSES) else {
+                    break;
+                };
+                // Written so that a NaN ends it.
+                if !R::any(largest(&more).greater(R::from_f64(SETTLED) * largest(&pressed))) {
+                    break;
+                }
+                pressed.iter_mut().zip(more).for_each(|(force, more)| *force = *force + more);
+            }
+            with(&pressed, &mut forces);
+            moved.axpy(-R::ONE, &open.0);
+            answered.axpy(-R::ONE, &open.1);
+            a.axpy(R::ONE, &moved);
+            lambda.axpy(R::ONE, &answered);
+            continue;
+        }
         for (force, (way, reaction, one)) in pressed.into_iter().zip(&ways).take(count) {
             forces.axpy(force, one);
             a.axpy(force, way);

@@ -9,7 +9,9 @@ use super::Simulation;
 use super::along_several::{alone, is_first, together};
 use super::complementarity::{Few, Found, Problem, RIGID_TOUCHING, ROWS, Rub, Trial, Way};
 use super::held_rows::along;
-use super::rigid::{Held, Strikes, grips, near, pressed_by, stands, still, strikes};
+use super::rigid::{
+    Held, PASSES, SETTLED, Strikes, grips, largest, near, pressed_by, stands, still, strikes,
+};
 use crate::error::{SettingError, SimulationError};
 use crate::formulation::Formulation;
 use crate::input::InputSource;
@@ -185,8 +187,9 @@ where
             rate * rate + two * at(&falls, place) * above <= rest * rest
         });
         let near = still_near.fold(0, |set, (place, _)| set | 1 << place);
-        let likely = self.as_before(&touching);
-        let Some((found, stopped)) = settled(&mut touching.problem, &rates, &bends, near, likely) else {
+        let Some(Settled { found, stopped, bends }) =
+            self.settled(&mut touching, inputs, &rates, bends, near)
+        else {
             return Err(self.no_impact(&touching));
         };
         let slow = R::from_f64(SLOW) * still;
@@ -239,6 +242,60 @@ where
             self.run.state = self.run.state.moved(model.layout(), &moved, v, z);
         }
         Ok(())
+    }
+
+    /// What rests, by how gaps bend without forces. Where friction follows reactions they bend otherwise with forces than by the sum of these: what is
+    /// beyond that is taken for more of what bends them, until nothing changes.
+    fn settled(
+        &self,
+        touching: &mut Touching<R, M::V>,
+        inputs: &M::Inputs,
+        rates: &Few<R>,
+        mut bends: Few<R>,
+        near: usize,
+    ) -> Option<Settled<R>> {
+        let model = self.model();
+        let likely = self.as_before(touching);
+        let problem = touching.problem.clone();
+        let (mut found, mut stopped) = settled(&mut touching.problem, rates, &bends, near, likely)?;
+        for _ in 0..if model.rubs() { PASSES } else { 0 } {
+            let mut gates = M::Gates::zeros(model.gate_names().len());
+            for (place, i) in touching.each() {
+                put(gates.as_mut_slice(), i, at(&found.forces, place));
+            }
+            let bent = self.bends(touching, inputs, gates);
+            let mut more = [R::ZERO; ROWS];
+            for (place, _) in touching.each() {
+                put(
+                    &mut more,
+                    place,
+                    at(&bent, place) - problem.row(place, &found.forces) - at(&bends, place),
+                );
+            }
+            // Written so that a NaN ends it.
+            if !R::any(largest(&more).greater(R::from_f64(SETTLED) * largest(&bends))) {
+                break;
+            }
+            bends.iter_mut().zip(more).for_each(|(bend, more)| *bend = *bend + more);
+            touching.problem = problem.clone();
+            (found, stopped) = settled(&mut touching.problem, rates, &bends, near, likely)?;
+        }
+        Some(Settled { found, stopped, bends })
+    }
+
+    /// The second derivatives of gaps, and the derivatives of what slides, with these forces.
+    fn bends(&self, touching: &Touching<R, M::V>, inputs: &M::Inputs, forces: M::Gates) -> Few<R> {
+        let (model, time, state) = (self.model(), self.time(), &self.run.state);
+        let state = State { gates: with_memories(model, forces, &state.gates), ..state.clone() };
+        let (a, _, _) = self.dynamics.free(time, &state, inputs);
+        let biases = strikes(model, time, &state.q, &state.v).biases;
+        let (drifts, moved) = (self.rates_at(&model.zero_v()), self.rates_at(&a));
+        let mut bends = [R::ZERO; ROWS];
+        for (place, i) in touching.each() {
+            let bend = at(moved.as_slice(), i) - at(drifts.as_slice(), i) + at(biases.as_slice(), i);
+            put(&mut bends, place, bend);
+        }
+        bends
     }
 
     /// v⁺ = v⁻ + W P, by the shares with which gaps part.
@@ -402,14 +459,11 @@ where
     ) -> Approach<R> {
         let (model, time) = (self.model(), self.time());
         let state = self.dynamics.opened(&self.run.state);
-        let (a, _, _) = self.dynamics.free(time, &state, inputs);
-        let Strikes { rates: own, biases, shares } = strikes(model, time, &state.q, &state.v);
-        let (drifts, free) = (self.rates_at(&model.zero_v()), self.rates_at(&a));
-        let (mut rates, mut bends) = ([R::ZERO; ROWS], [R::ZERO; ROWS]);
+        let bends = self.bends(touching, inputs, M::Gates::zeros(model.gate_names().len()));
+        let Strikes { rates: own, shares, .. } = strikes(model, time, &state.q, &state.v);
+        let mut rates = [R::ZERO; ROWS];
         for (place, i) in touching.each() {
-            let bend = at(free.as_slice(), i) - at(drifts.as_slice(), i) + at(biases.as_slice(), i);
             put(&mut rates, place, at(own.as_slice(), i));
-            put(&mut bends, place, bend);
         }
         let still = still(state.v.as_slice());
         let slow = R::from_f64(SLOW) * still;
@@ -547,6 +601,13 @@ impl<R: Real, V> Touching<R, V> {
     fn at(&self, place: usize) -> usize {
         at_index(&self.which, place)
     }
+}
+
+/// What rests: its forces and ways, what comes to rest, and how gaps bend without them.
+struct Settled<R> {
+    found: Found<R>,
+    stopped: usize,
+    bends: Few<R>,
 }
 
 /// The forces and ways of what rests, and of what slides with these rates; what comes to rest and is as good as there may go any way, and its

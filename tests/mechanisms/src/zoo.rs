@@ -251,6 +251,7 @@ macro_rules! for_each_in_zoo {
             striking: $crate::zoo_gates::Striking,
             dropping: $crate::zoo_gates::Dropping,
             gripping: $crate::zoo_gates::Gripping,
+            rasping: $crate::zoo_gates::Rasping,
             gripping_in_space: $crate::zoo_gates::GrippingInSpace,
             braking: $crate::zoo_dry::Braking,
             braking_in_space: $crate::zoo_dry::BrakingInSpace,

@@ -161,3 +161,33 @@ linkwright::mechanism! {
         output taken [W] = power(lies) + power(drags);
     }
 }
+
+linkwright::mechanism! {
+    /// A slider-crank that rubs in its joints and pushes a wedge under a rider between rigid stops, dry where they touch.
+    pub planar Rasping {
+        input torque [N*m];
+        gravity [m/s^2] = (0, -9.81);
+        rod crank { mass [kg] = 1; length [m] = 0.2; }
+        rod coupler { mass [kg] = 2; length [m] = 0.5; }
+        body wedge { mass [kg] = 1.5; inertia [kg*m^2] = 0.01; point low [m] = (0, 0); point high [m] = (0.6, 0.25); line slope = (wedge.low, wedge.high); surface top: half_plane(wedge.slope); }
+        body rider { mass [kg] = 0.8; inertia [kg*m^2] = 0.01; surface foot: point(rider.center); }
+        joint pivot: revolute(ground(0, 0) [m], crank.start);
+        joint elbow: revolute(crank.end, coupler.start);
+        joint wrist: revolute(coupler.end, wedge.center);
+        joint rail: prismatic(ground(0, 0) [m], wedge.center, axis = (1, 0));
+        joint wall: prismatic(ground(0.8, 0) [m], rider.center, axis = (0.1, 1));
+        contact lies: between(rider.foot, wedge.top) = rigid(restitution = 0.4);
+        limit end: rail.travel [mm] in 300..900 = rigid(restitution = 0.6);
+        torque motor: torque(pivot) = torque;
+        friction f_pivot: on(pivot) = coulomb(coefficient = 0.1, radius [mm] = 15, speed [rad/s] = 0.1);
+        friction f_elbow: on(elbow) = stribeck(static = 0.12, kinetic = 0.08, transition [rad/s] = 1, radius [mm] = 12, speed [rad/s] = 0.1);
+        friction f_rail: on(rail) = coulomb(coefficient = 0.06, length [m] = 0.5, speed [m/s] = 0.02);
+        friction f_wall: on(wall) = coulomb(coefficient = 0.1, speed [m/s] = 0.02);
+        friction scrape: on(lies) = dry(static = 0.2, kinetic = 0.15);
+        start { pivot.angle [deg] = 60; pivot.rate [rad/s] = -2; wall.travel [m] = 0.2; elbow.angle [deg] ~ -80; }
+        options { emit = (penalty, projection, null_space, tangent); }
+        output pressed [N] = f_pivot.normal + f_rail.normal + f_wall.normal;
+        output held [N] = lies.force + end.force;
+        output lost [W] = -power(f_pivot) - power(f_elbow) - power(f_rail) - power(f_wall);
+    }
+}
