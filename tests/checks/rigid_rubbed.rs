@@ -1,8 +1,8 @@
 //! Friction in joints by their reactions beside rigid contacts, which press on these joints and are pressed by what rubs there.
 
 use linkwright::{
-    Ali3p, AssembleExt, AugmentedLagrangian, Baumgarte, GeneralisedAlpha, ImplicitTrapezoidal, LagrangeIndex1,
-    NullSpace, Penalty, Projected, Rk4, Simulation,
+    Ali3p, AssembleExt, AugmentedLagrangian, Baumgarte, GeneralisedAlpha, ImplicitTrapezoidal,
+    LagrangeIndex1, NullSpace, Penalty, Projected, Rk4, Simulation,
 };
 use linkwright_engine::{Derivatives, Engine};
 
@@ -18,7 +18,8 @@ fn read(source: &str) -> Engine<Derivatives> {
 
 /// A wedge on the floor under a rider in a guide; μ of floor, guide and wedge.
 fn wedge([floor, guide, top]: [f64; 3]) -> Engine<Derivatives> {
-    let dry = if top > 0.0 { format!("friction f_top: on(lies) = dry(static = {top});") } else { String::new() };
+    let dry =
+        if top > 0.0 { format!("friction f_top: on(lies) = dry(static = {top});") } else { String::new() };
     read(&format!(
         "planar Wedge {{ gravity [m/s^2] = (0, -9.81);
             body base {{ mass [kg] = 2; inertia [kg*m^2] = 0.1; point a [m] = (0, 0); point b [m] = (1, 0.5); line slope = (base.a, base.b); surface top: half_plane(base.slope); }}

@@ -18,6 +18,7 @@ mod jump;
 mod locate;
 mod occur;
 mod proportion;
+mod resting;
 mod rigid;
 mod sample;
 mod singularity;

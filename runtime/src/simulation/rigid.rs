@@ -11,7 +11,7 @@
 //! the step: contacts that touch ever more often so come to rest. The force of one that rests is its gate; it opens where that would
 //! pull. Dry friction is another row of J, along what slides, in space three: it holds with up to μ_s λ, or slides one way with μ_k λ against
 //! it, until it has no speed; which of both is held from touch to touch. The problems themselves are solved in `complementarity.rs`, impulses and what follows
-//! them are `strike.rs`, where steps are parted is `held.rs`.
+//! them are `strike.rs` and `resting.rs`, where steps are parted is `held.rs`.
 
 use super::along_several::{alone, along_rates, is_first, size, together};
 use super::complementarity::{Few, ROWS, complete, solved};
