@@ -2,7 +2,7 @@
 
 use super::Simulation;
 use super::complementarity::{Few, Found, Problem, RIGID_TOUCHING, ROWS, Rub, Trial, Way};
-use super::rigid::{PASSES, SETTLED, largest, near, strikes};
+use super::rigid::{PASSES, largest, near, settled_within, strikes};
 use super::strike::Touching;
 use crate::formulation::Formulation;
 use crate::integrator::Method;
@@ -51,7 +51,7 @@ where
                 );
             }
             // Written so that a NaN ends it.
-            if !R::any(largest(&more).greater(R::from_f64(SETTLED) * largest(&bends))) {
+            if !R::any(largest(&more).greater(settled_within::<R>() * largest(&bends))) {
                 break;
             }
             bends.iter_mut().zip(more).for_each(|(bend, more)| *bend = *bend + more);

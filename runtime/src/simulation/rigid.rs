@@ -44,7 +44,10 @@ pub(super) fn sharp<R: Real>() -> R {
 
 /// The most passes that forces take beside friction by reactions, and a last change of them as a part of them.
 pub(super) const PASSES: u32 = 24;
-pub(super) const SETTLED: f64 = 1e-13;
+
+pub(super) fn settled_within<R: Real>() -> R {
+    R::from_f64(1e-13).max(R::from_f64(16.0) * R::EPSILON)
+}
 
 /// The largest in size.
 pub(super) fn largest<R: Real>(of: &Few<R>) -> R {
@@ -221,7 +224,7 @@ where
                     break;
                 };
                 // Written so that a NaN ends it.
-                if !R::any(largest(&more).greater(R::from_f64(SETTLED) * largest(&pressed))) {
+                if !R::any(largest(&more).greater(settled_within::<R>() * largest(&pressed))) {
                     break;
                 }
                 pressed.iter_mut().zip(more).for_each(|(force, more)| *force = *force + more);
