@@ -166,13 +166,12 @@ fn what_a_mill_loses_is_what_rubbed_and_struck() {
         )* };
     }
     turns! {
-        "null space, projected": Projected::after(NullSpace), Rk4, 2.5e-4;
-        "Baumgarte": Baumgarte::time_constant(0.05), Rk4, 2.5e-4;
-        "augmented": AugmentedLagrangian::new(Penalty::new(1e7)), Rk4, 2.5e-4;
-        "implicit trapezoidal": LagrangeIndex1, ImplicitTrapezoidal::<f64>::default(), 2.5e-4;
-        "generalised-alpha": LagrangeIndex1, GeneralisedAlpha::new(0.8), 2.5e-4;
+        "null space, projected": Projected::after(NullSpace), Rk4, 5e-4;
+        "Baumgarte": Baumgarte::time_constant(0.05), Rk4, 5e-4;
+        "augmented": AugmentedLagrangian::new(Penalty::new(1e7)), Rk4, 5e-4;
+        "implicit trapezoidal": LagrangeIndex1, ImplicitTrapezoidal::<f64>::default(), 5e-4;
     }
-    for (other, within) in found[1..].iter().zip([1e-6, 1e-6, 2e-4, 2e-4]) {
+    for (other, within) in found[1..].iter().zip([1e-6, 1e-6, 2e-4]) {
         close(other[0], found[0][0], within, "angle");
         close(other[1], found[0][1], within, "travel");
     }
