@@ -216,8 +216,8 @@ pub fn explain(definition: &Definition, compiled: &Compiled) -> Explanation {
         gives: Gives::all(mechanism),
         meshes: meshes(mechanism),
         loads: loads(mechanism),
-        contacts: contacts(compiled),
-        frictions: frictions(compiled),
+        contacts: told(compiled, &compiled.blows),
+        frictions: told(compiled, &compiled.braking),
         vibration: compiled.vibration,
         tables: mechanism.tables.iter().map(table).collect(),
         parts: mechanism.parts.iter().map(|part| [part.name.text.clone(), part.of.clone()]).collect(),
@@ -305,14 +305,10 @@ fn couplings(mechanism: &Mechanism) -> Vec<[String; 2]> {
     couplings.chain(drivers).collect()
 }
 
-fn contacts(compiled: &Compiled) -> Vec<[String; 2]> {
+/// What was found of loads, by their names.
+fn told<T: std::fmt::Display>(compiled: &Compiled, found: &[(LoadId, T)]) -> Vec<[String; 2]> {
     let name = |id: LoadId| compiled.mechanism.loads[id.0].name.text.clone();
-    compiled.blows.iter().map(|(id, blow)| [name(*id), blow.to_string()]).collect()
-}
-
-fn frictions(compiled: &Compiled) -> Vec<[String; 2]> {
-    let name = |id: LoadId| compiled.mechanism.loads[id.0].name.text.clone();
-    compiled.braking.iter().map(|(id, braking)| [name(*id), braking.to_string()]).collect()
+    found.iter().map(|(id, found)| [name(*id), found.to_string()]).collect()
 }
 
 fn loads(mechanism: &Mechanism) -> Vec<[String; 2]> {

@@ -18,13 +18,16 @@ pub(crate) fn unknown_contact(word: &str) -> String {
     )
 }
 
-/// `of`: how many surfaces each side has.
-pub(crate) fn too_many_pairs(name: &str, of: &[usize], most: usize) -> String {
-    let of: Vec<String> = of.iter().map(usize::to_string).collect();
+pub(crate) fn too_many_pairs(name: &str, count: usize, most: usize) -> String {
     format!(
-        "`{name}` would be {} contacts, which all stand in the code and are looked at in every step; there may be {most}: write those that can touch, as by \
-         `repeat`",
-        of.join(" times ")
+        "`{name}` would be {count} contacts, which all stand in the code and are looked at in every step; there may be {most}: write those that can touch, as by \
+         `repeat`"
+    )
+}
+
+pub(crate) fn each_of_itself(name: &str) -> String {
+    format!(
+        "`{name}` is between surfaces among each other, and there is one of them: it has nothing to touch, so leave the contact out"
     )
 }
 

@@ -175,13 +175,14 @@ pub fn loads(page: &mut String, compiled: &Compiled) {
             Subject::Toothing(id) => code(&mechanism.toothing(*id).text),
         });
         let on: Vec<String> = on.collect();
-        let data = match load.form.law {
-            Law::None => match braking(compiled, load) {
+        let blow = told(mechanism, &compiled.blows, load);
+        let data = match (load.form.law, blow) {
+            (Law::None, _) => match told(mechanism, &compiled.braking, load) {
                 Some(braking) => format!("{}; {braking}", arguments(mechanism, load)),
                 None => arguments(mechanism, load),
             },
-            _ if blow(compiled, load).is_some() => blow(compiled, load).unwrap_or_default(),
-            Law::Value(_) | Law::Conjugate | Law::Components(_) => law(mechanism, &load.law),
+            (_, Some(blow)) => blow,
+            (Law::Value(_) | Law::Conjugate | Law::Components(_), None) => law(mechanism, &load.law),
         };
         table.row(vec![code(&load.name.text), load.form.title.to_string(), on.join(", "), data]);
     }
@@ -191,16 +192,10 @@ pub fn loads(page: &mut String, compiled: &Compiled) {
     }
 }
 
-/// What a friction is like near rest.
-fn braking(compiled: &Compiled, load: &Load) -> Option<String> {
-    let named = |id: LoadId| compiled.mechanism.loads[id.0].name.text == load.name.text;
-    compiled.braking.iter().find(|(id, _)| named(*id)).map(|(_, braking)| braking.to_string())
-}
-
-/// What a touch of a contact is like.
-fn blow(compiled: &Compiled, load: &Load) -> Option<String> {
-    let named = |id: LoadId| compiled.mechanism.loads[id.0].name.text == load.name.text;
-    compiled.blows.iter().find(|(id, _)| named(*id)).map(|(_, blow)| blow.to_string())
+/// What was found of a load.
+fn told<T: std::fmt::Display>(mechanism: &Mechanism, found: &[(LoadId, T)], load: &Load) -> Option<String> {
+    let named = |id: LoadId| mechanism.loads[id.0].name.text == load.name.text;
+    found.iter().find(|(id, _)| named(*id)).map(|(_, found)| found.to_string())
 }
 
 /// The named arguments that are not zero.

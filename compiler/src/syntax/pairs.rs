@@ -27,11 +27,6 @@ impl Parser<'_> {
         let name = self.own(name);
         self.punct(c, ':')?;
         let all = self.all_of(c)?;
-        let count = all.iter().map(|each| each.values.len()).product::<usize>();
-        if count > MOST {
-            let of: Vec<usize> = all.iter().map(|each| each.values.len()).collect();
-            return self.fail(name.region, messages::too_many_pairs(&name.text, &of, MOST));
-        }
         if let [first, second] = &all[..]
             && first.variable.text == second.variable.text
         {
@@ -51,6 +46,13 @@ impl Parser<'_> {
             && first.pattern == second.pattern
         {
             rounds.retain(|round| matches!(&round[..], [(_, one), (_, other)] if one < other));
+        }
+        match rounds.len() {
+            0 => return self.fail(name.region, messages::each_of_itself(&name.text)),
+            count if count > MOST => {
+                return self.fail(name.region, messages::too_many_pairs(&name.text, count, MOST));
+            }
+            _ => {}
         }
         let start = c.clone();
         for round in rounds {

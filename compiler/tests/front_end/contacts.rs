@@ -222,6 +222,22 @@ fn friction_that_nothing_presses_is_named() {
     assert!(of("coefficient = 0.3", "gravity [m/s^2] = (0, -9.81);").is_empty());
 }
 
+/// Of surfaces among each other each pair counts once: 55 of eleven are few enough, 66 of twelve are not.
+#[test]
+fn surfaces_among_each_other_are_pairs_once() {
+    let balls = |count: usize| {
+        format!(
+            "planar Balls {{ repeat i in 0..{count} {{ disk ball[i] {{ mass [kg] = 1; radius [m] = 0.1; }}
+             start {{ ball[i].center.x [m] = i; ball[i].center.y [m] = 0; ball[i].angle [rad] = 0; }} }}
+             contact hit: between(each ball[i].surface, each ball[j].surface) = kelvin_voigt(stiffness [N/m] = 1e4); output force [N] = hit[9][10].force; }}"
+        )
+    };
+    assert_eq!(compiled(&balls(11)).mechanism.loads.len(), 55);
+    let found = bad(&balls(12));
+    let found: Vec<&str> = found.iter().map(|error| error.message.as_str()).collect();
+    assert!(matches!(found[..], [one] if one.contains("`hit` would be 66 contacts")), "{found:?}");
+}
+
 /// A point on a plane takes at most 25 operations beyond what moves it.
 #[test]
 fn a_point_on_a_plane_is_cheap() {
