@@ -230,6 +230,9 @@ impl<D: Dialect> Loops<'_, D> {
             Operand::Value(value) if let Some((array, entry)) = self.rolled.place(value) => {
                 let _ = write!(text, "s{array}[{entry}]");
             }
+            Operand::Value(value) if let Some(number) = self.rolled.carried(value) => {
+                text.push_str(&carried(number, 1));
+            }
             operand => self.writer.operand(text, operand, &self.writer.names),
         }
     }

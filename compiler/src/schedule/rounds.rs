@@ -2,7 +2,7 @@
 
 use super::evaluate::{Inputs, step};
 use super::program::{Operand, Program, Source};
-use super::repetition::{Result, Rolled, RolledLoop, Term};
+use super::repetition::{Rolled, RolledLoop, Term};
 use std::collections::VecDeque;
 
 /// What is there of a program with loops.
@@ -10,7 +10,7 @@ struct Rounds<'a> {
     program: &'a Program,
     rolled: &'a Rolled,
     inputs: &'a Inputs,
-    /// Of straight instructions, by index; of others nothing.
+    /// Of straight instructions, by index, and of those that are carried in the last round; of others nothing.
     values: Vec<f64>,
     arrays: Vec<Vec<f64>>,
     results: Vec<f64>,
@@ -73,7 +73,7 @@ impl Rounds<'_> {
                     self.arrays[array][first + round] = value;
                 }
                 for result in &known.results[index] {
-                    self.results[counted(result.first, result.step, round)] = value;
+                    self.results[result.in_round(round)] = value;
                 }
             }
             for (values, known) in carried.iter_mut().zip(&known.carried) {
@@ -81,26 +81,23 @@ impl Rounds<'_> {
                 values.pop_back();
             }
         }
+        // Those of the last round can be taken where they are.
+        let last = known.of.end() - known.of.length;
+        for (values, known) in carried.iter().zip(&known.carried) {
+            self.values[last + known.index] = values[0];
+        }
     }
 
     /// The results that no loop has written.
     fn results(&mut self) {
-        let mut is_left = vec![true; self.results.len()];
-        let mut written =
-            |first, step, rounds| (0..rounds).for_each(|round| is_left[counted(first, step, round)] = false);
-        for known in &self.rolled.loops {
-            let results = known.results.iter().flatten();
-            results.for_each(|result| written(result.first, result.step, known.of.rounds));
-        }
         for copies in &self.rolled.copies {
-            for (Result { first, step }, term) in &copies.results {
-                written(*first, *step, copies.rounds);
+            for (result, term) in &copies.results {
                 for round in 0..copies.rounds {
-                    self.results[counted(*first, *step, round)] = self.term(*term, round, &[]);
+                    self.results[result.in_round(round)] = self.term(*term, round, &[]);
                 }
             }
         }
-        for (result, _) in is_left.iter().enumerate().filter(|(_, is_left)| **is_left) {
+        for result in self.rolled.unwritten(self.program) {
             self.results[result] = self.get(self.program.outputs[result]);
         }
     }

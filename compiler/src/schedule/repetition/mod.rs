@@ -10,6 +10,7 @@
 mod order;
 mod places;
 mod results;
+mod reuse;
 mod rolled;
 mod strands;
 

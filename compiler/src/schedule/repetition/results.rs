@@ -20,6 +20,13 @@ pub struct Result {
     pub step: i64,
 }
 
+impl Result {
+    /// Which result it is in a round.
+    pub fn in_round(&self, round: usize) -> usize {
+        (self.first as i64 + self.step * round as i64) as usize
+    }
+}
+
 /// Rounds in which results become what is elsewhere.
 #[derive(Clone, Debug)]
 pub struct Copies {

@@ -13,6 +13,7 @@
 
 use super::Loop;
 use super::results::{self, Copies, List, Result};
+use super::reuse::reuse;
 use crate::functions::Argument;
 use crate::schedule::{Operand, Program, Source};
 use std::collections::{BTreeMap, BTreeSet};
@@ -123,7 +124,41 @@ impl Rolled {
         let left = drafting.left.clone();
         let mut rolled = drafting.finish(drafts)?;
         (rolled.copies, rolled.alone) = results::copies(program, lists, &rolled, left);
+        reuse(&mut rolled, program);
         Some(rolled)
+    }
+
+    /// The results that neither loops nor copies write.
+    pub fn unwritten(&self, program: &Program) -> Vec<usize> {
+        let mut is_left = vec![true; program.outputs.len()];
+        let in_loops = self
+            .loops
+            .iter()
+            .flat_map(|known| known.results.iter().flatten().map(|result| (known.of.rounds, *result)));
+        let copied = self
+            .copies
+            .iter()
+            .flat_map(|copies| copies.results.iter().map(|(result, _)| (copies.rounds, *result)));
+        for (rounds, result) in in_loops.chain(copied) {
+            (0..rounds).for_each(|round| is_left[result.in_round(round)] = false);
+        }
+        (0..is_left.len()).filter(|result| is_left[*result]).collect()
+    }
+
+    /// Which value that later rounds take this is, if it is that of the last round and in no array.
+    pub fn carried(&self, value: u32) -> Option<usize> {
+        let known = self.loop_of(value)?;
+        let offset = value as usize - known.of.start;
+        let (round, index) = (offset / known.of.length, offset % known.of.length);
+        let alone = round + 1 == known.of.rounds && known.kept[index].is_none();
+        let carried = known.carried.iter().filter(|_| alone).find(|carried| carried.index == index);
+        carried.map(|carried| carried.number)
+    }
+
+    /// The loop that a value is computed in.
+    fn loop_of(&self, value: u32) -> Option<&RolledLoop> {
+        let known = self.loops.partition_point(|known| known.of.end() <= value as usize);
+        self.loops.get(known).filter(|known| known.of.start <= value as usize)
     }
 
     /// How many instructions are in loops.
@@ -141,8 +176,7 @@ impl Rolled {
 
     /// The array and its entry that a value is in; `None` of values outside loops.
     pub fn place(&self, value: u32) -> Option<(usize, usize)> {
-        let known = self.loops.partition_point(|known| known.of.end() <= value as usize);
-        let known = self.loops.get(known).filter(|known| known.of.start <= value as usize)?;
+        let known = self.loop_of(value)?;
         let offset = value as usize - known.of.start;
         let (array, first) = known.kept[offset % known.of.length]?;
         Some((array, first + offset / known.of.length))
@@ -351,7 +385,8 @@ impl Drafting<'_> {
         }
     }
 
-    /// Values that straight instructions, all rounds of a loop, arrays or results take are kept.
+    /// Values that straight instructions, all rounds of a loop, arrays or results take are kept, but for those of the last round that are
+    /// carried anyway.
     fn keep_what_others_take(&mut self, drafts: &[Vec<Vec<Draft>>]) {
         let mut taken: BTreeSet<Slot> = BTreeSet::new();
         let mut straight = vec![true; self.program.instructions.len()];
@@ -384,7 +419,8 @@ impl Drafting<'_> {
             operands.chain(inside).chain(beyond).chain(results).chain(gathered.copied()).chain(carried)
         {
             if let Operand::Value(value) = operand
-                && let Some((slot, _)) = self.position(value)
+                && let Some((slot, round)) = self.position(value)
+                && !(round + 1 == self.loops[slot.0].rounds as i64 && self.carried.contains_key(&slot))
             {
                 taken.insert(slot);
             }
