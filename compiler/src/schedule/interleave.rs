@@ -11,7 +11,7 @@ use std::cmp::Reverse;
 use std::collections::{BinaryHeap, VecDeque};
 
 /// Programs shorter than this stay as they are.
-const LONG: usize = 500;
+const LONG: usize = 250;
 /// Instructions started at once.
 const WIDTH: usize = 2;
 

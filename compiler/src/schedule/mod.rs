@@ -9,6 +9,7 @@ mod evaluate;
 mod interleave;
 mod liveness;
 mod program;
+mod regroup;
 mod repetition;
 mod rounds;
 mod sections;
@@ -71,6 +72,8 @@ pub fn schedule(complete: &Complete, optimized: &Optimized) -> Programs {
     let mut selected: Vec<(Function, Selected)> = optimized.functions.iter().map(select).collect();
     let places = Places::of(complete);
     for (function, selected) in &mut selected {
+        let rows = repetition::rows(&selected.program, &places);
+        regroup::regroup(selected, &rows);
         let lists = List::all(function.signature(), complete, &selected.program.outputs);
         repetition::roll(selected, &places, &lists);
     }
@@ -111,7 +114,9 @@ fn alone(equations: &Equations, outputs: &[Node]) -> Selected {
     let graph = equations.graph.read();
     let (fused, hoisted) = optimize::alone(&graph, outputs);
     let anywhere = vec![Source { argument: Argument::Time, index: 0 }; graph.symbol_count()];
-    select::select(&graph, &anywhere, &hoisted, &fused)
+    let mut selected = select::select(&graph, &anywhere, &hoisted, &fused);
+    regroup::regroup(&mut selected, &[]);
+    selected
 }
 
 /// The entry of an argument that each symbol of the graph stands for.

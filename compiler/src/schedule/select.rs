@@ -19,21 +19,16 @@ struct Selection<'a> {
 #[derive(Default)]
 pub struct Selected {
     pub program: Program,
-    /// Node of each instruction.
+    /// Node of each instruction; of all that compute a sum that of the sum.
     pub nodes: Vec<Node>,
-    /// Instruction of each node, up to the newest that is needed.
-    pub values: Vec<Option<u32>>,
 }
 
 impl Selected {
     /// The same with its instructions in another order, given by their present indices.
     pub fn in_order(self, order: &[usize]) -> Selected {
-        let mut position = vec![0u32; order.len()];
-        order.iter().enumerate().for_each(|(new, old)| position[*old] = new as u32);
         Selected {
             program: self.program.in_order(order),
             nodes: order.iter().map(|old| self.nodes[*old]).collect(),
-            values: self.values.into_iter().map(|value| value.map(|old| position[old as usize])).collect(),
         }
     }
 }
@@ -50,7 +45,7 @@ pub fn select(graph: &Graph, sources: &[Source], hoisted: &Hoisted, fused: &Fuse
     let (sections, tables) = (Vec::new(), graph.tables().to_vec());
     let program =
         Program { instructions: selection.instructions, outputs, sections, tables, ..Program::default() };
-    Selected { program, nodes: selection.nodes, values: selection.values }
+    Selected { program, nodes: selection.nodes }
 }
 
 impl Selection<'_> {

@@ -6,10 +6,12 @@
 
 use super::program::{Instruction, Operand, Program};
 use super::select::Selected;
+use crate::symbolic::Node;
+use std::collections::BTreeMap;
 
 /// Programs of more instructions are cut into several functions, and begin with what they share: compilers are superlinear
 /// in the size of a function. Shorter ones stay in one piece, which is faster than two.
-pub const LONG: usize = 1000;
+pub const LONG: usize = 2000;
 
 /// Puts what they have in common in front of both programs; says how many instructions that is.
 pub fn share(one: &mut Selected, other: &mut Selected) -> usize {
@@ -18,11 +20,15 @@ pub fn share(one: &mut Selected, other: &mut Selected) -> usize {
         return 0;
     }
     // For each instruction of `other` the same of `one`: same operation, operands in common.
+    let mut of_node: BTreeMap<Node, Vec<u32>> = BTreeMap::new();
+    for (index, node) in one.nodes.iter().enumerate() {
+        of_node.entry(*node).or_default().push(index as u32);
+    }
     let mut same: Vec<Option<u32>> = Vec::with_capacity(other.nodes.len());
     for (instruction, node) in other.program.instructions.iter().zip(&other.nodes) {
-        let known = one.values.get(node.index()).copied().flatten().filter(|known| {
-            in_common(instruction, &same)
-                .is_some_and(|moved| one.program.instructions[*known as usize] == moved)
+        let known = in_common(instruction, &same).and_then(|moved| {
+            let mut candidates = of_node.get(node)?.iter().copied();
+            candidates.find(|known| one.program.instructions[*known as usize] == moved)
         });
         same.push(known);
     }

@@ -22,7 +22,7 @@ use super::Program;
 use super::select::Selected;
 
 /// Programs of fewer instructions stay as they are: loops of few rounds are slower than what they stand for.
-const LONG: usize = 1500;
+const LONG: usize = 2000;
 /// What repeats less often is no loop.
 const FEWEST_ROUNDS: usize = 8;
 
@@ -43,11 +43,21 @@ impl Loop {
     }
 }
 
+fn is_long(program: &Program) -> bool {
+    program.instructions.len() + program.outputs.len() >= LONG
+}
+
+/// Rows of instructions of a long program that repeat one another.
+pub fn rows(program: &Program, places: &Places) -> Vec<Vec<u32>> {
+    if !is_long(program) {
+        return Vec::new();
+    }
+    strands::find(program, places).strands.into_iter().map(|strand| strand.members).collect()
+}
+
 /// Puts the repetitions of a program together and marks them as loops, where that makes its text half as long.
 pub fn roll(selected: &mut Selected, places: &Places, lists: &[List]) {
-    let Program { instructions, outputs, .. } = &selected.program;
-    let long = instructions.len() + outputs.len();
-    if long < LONG {
+    if !is_long(&selected.program) {
         return;
     }
     let strands = strands::find(&selected.program, places);
@@ -55,7 +65,7 @@ pub fn roll(selected: &mut Selected, places: &Places, lists: &[List]) {
     let Some((order, loops)) = order::order(&selected.program, strands) else { return };
     let program = selected.program.in_order(&order);
     if let Some(rolled) = Rolled::of(&program, &loops, lists)
-        && 2 * rolled.statements(&program) <= long
+        && 2 * rolled.statements(&program) <= program.instructions.len() + program.outputs.len()
     {
         *selected = std::mem::take(selected).in_order(&order);
         selected.program.rolled = Some(rolled);

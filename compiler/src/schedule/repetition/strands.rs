@@ -60,7 +60,9 @@ pub fn find(program: &Program, places: &Places) -> Strands {
         while strands.grow() {}
         strands
     };
-    (1..=PERIODS).rev().map(with).max_by_key(Strands::covered).unwrap_or_default()
+    // The shortest text: what is in no strand, and each strand once.
+    let text = |strands: &Strands| program.instructions.len() - strands.covered() + strands.strands.len();
+    (1..=PERIODS).map(with).min_by_key(text).unwrap_or_default()
 }
 
 /// What an instruction does, whatever it does it to.
