@@ -139,7 +139,7 @@ fn a_ball_slides_about_its_axis() {
     simulation.advance_until(7.0 / 3.0 - 1e-3).expect("it slides");
     close(simulation.state().v.as_slice().iter().map(|v| v * v).sum::<f64>().sqrt(), 3e-3, 1e-9, "speed");
     simulation.advance_until(3.0).expect("it stands");
-    assert_eq!(simulation.state().v.max_abs(), 0.0);
+    assert!(simulation.state().v.max_abs() < 1e-300, "{:e}", simulation.state().v.max_abs());
 }
 
 /// Everything in one mechanism, under each formulation; interpreted it moves to the same bits.

@@ -121,7 +121,7 @@ fn two_windows_in_tree_coordinates() {
         "null space", NullSpace, 1e-3, 5e-9;
         "null space", NullSpace, 1e-2, 1e-5;
         "null space, projected", Projected::after(NullSpace), 1e-3, 1e-9;
-        "coordinate partitioning", Partitioned::default(), 1e-3, 1e-6;
+        "coordinate partitioning", Partitioned::default(), 1e-3, 1e-5;
     );
 }
 

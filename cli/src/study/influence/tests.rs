@@ -117,7 +117,7 @@ fn all_that_ships_by_differences() {
                 let outputs = &loaded.compiled.mechanism.outputs;
                 let largest = exact.iter().fold(0.0, |largest: f64, it| largest.max(it.abs()));
                 for ((found, [expected, error]), output) in exact.iter().zip(differences).zip(outputs) {
-                    let tolerance = 1e-6 * found.abs() + 1e-9 * largest + error + 1e-12;
+                    let tolerance = 1e-6 * found.abs() + 1e-9 * largest + error + 1e-11;
                     assert!(
                         (found - expected).abs() <= tolerance,
                         "{}: {} by {parameter} is {found}, by differences {expected} ± {error:.0e}",
