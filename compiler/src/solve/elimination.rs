@@ -61,64 +61,52 @@ pub struct Kind<'a> {
 /// parallelogram, or as a whole, as along a distance that nothing can change. Relative to Sᵢ, the largest it can be along the motion, it
 /// is a pivot of D M⁻¹ Dᵀ with its rows brought to length one: a product, its magnitude and a maximum watch it. Of two rows that are one pivot
 /// the determinant is watched, relative to both their sizes: the product of what the two would have one after the other.
-pub fn factor<'g>(g: Sheet<'g>, entries: &Entries, order: &Order, kind: &Kind) -> Factor {
-    let velocities = kind.velocities;
-    let zero = g.zero();
-    let unknowns = order.sequence.iter().map(|unknown| unknown + 1).max().unwrap_or(0);
-    let mut diagonals: Vec<Diagonal> = vec![Diagonal::default(); unknowns];
-    let mut rows: Vec<BTreeMap<usize, Scalar>> = vec![BTreeMap::new(); unknowns];
-    for ((i, j), entry) in entries {
-        let entry = g.on(*entry);
-        if i == j {
-            diagonals[*i].own.push(entry);
-        } else {
-            rows[*i].insert(*j, entry);
-            rows[*j].insert(*i, entry);
-        }
-    }
-    let mut steps = Vec::new();
-    let mut watched: Vec<Watched> = Vec::new();
-    let vector = |unknown: usize| kind.vectors.get(unknown.checked_sub(velocities)?).copied().flatten();
+pub fn factor(g: Sheet, entries: &Entries, order: &Order, kind: &Kind) -> Factor {
+    let mut active = Active::new(g, entries, order, kind);
+    let vector = |unknown: usize| kind.vectors.get(unknown.checked_sub(kind.velocities)?).copied().flatten();
     let together = |one: &usize, other: &usize| vector(*one).is_some() && vector(*one) == vector(*other);
-    for pivots in order.sequence.chunk_by(together) {
+    let steps: Vec<Step> =
+        order.sequence.chunk_by(together).map(|unknowns| active.eliminate(unknowns)).collect();
+    let watched = active.watched;
+    let of_velocities = watched.iter().filter(|watched| !watched.is_row);
+    let velocity_pivot = smallest_pivot(g, &steps, of_velocities.copied().collect()).bare;
+    let pivot = smallest_pivot(g, &steps, watched).bare;
+    Factor { velocities: kind.velocities, steps, pivot, velocity_pivot }
+}
+
+/// K while it is eliminated.
+struct Active<'a, 'g> {
+    g: Sheet<'g>,
+    kind: &'a Kind<'a>,
+    diagonals: Vec<Diagonal<'g>>,
+    /// The entries beside the diagonal, both triangles.
+    rows: Vec<BTreeMap<usize, Scalar<'g>>>,
+    watched: Vec<Watched<'g>>,
+}
+
+impl<'a, 'g> Active<'a, 'g> {
+    fn new(g: Sheet<'g>, entries: &Entries, order: &Order, kind: &'a Kind) -> Self {
+        let unknowns = order.sequence.iter().map(|unknown| unknown + 1).max().unwrap_or(0);
+        let mut diagonals: Vec<Diagonal> = vec![Diagonal::default(); unknowns];
+        let mut rows: Vec<BTreeMap<usize, Scalar>> = vec![BTreeMap::new(); unknowns];
+        for ((i, j), entry) in entries {
+            let entry = g.on(*entry);
+            if i == j {
+                diagonals[*i].own.push(entry);
+            } else {
+                rows[*i].insert(*j, entry);
+                rows[*j].insert(*i, entry);
+            }
+        }
+        Active { g, kind, diagonals, rows, watched: Vec::new() }
+    }
+
+    /// Takes a pivot P out: L ← K P⁻¹, K ← K − L Kᵀ.
+    fn eliminate(&mut self, pivots: &[usize]) -> Step {
+        let (g, velocities) = (self.g, self.kind.velocities);
         let is_row = pivots[0] >= velocities;
-        // P is positive definite: −K of rows. Each has its diagonal entry, and the size that this is measured by.
-        let (mut diagonal, mut sizes, mut is_difference) = (Vec::new(), Vec::new(), pivots.len() > 1);
-        for pivot in pivots {
-            let Diagonal { own, taken } = std::mem::take(&mut diagonals[*pivot]);
-            let positive = g.sum(own);
-            let mut magnitude = taken.iter().fold(positive, |sum, term| sum - *term);
-            if let (true, Some(compliance)) = (is_row, kind.compliance) {
-                magnitude += compliance[*pivot - velocities];
-            }
-            is_difference |= !taken.is_empty();
-            sizes.push(if is_row { g.on(kind.scales[*pivot - velocities]) } else { positive });
-            diagonal.push(magnitude);
-        }
-        let entry = |(i, one): (usize, &usize), (j, other): (usize, &usize)| match rows[*one].get(other) {
-            _ if i == j => diagonal[i],
-            Some(entry) if is_row => -*entry,
-            Some(entry) => *entry,
-            None => zero,
-        };
-        let all = || pivots.iter().enumerate();
-        let square: Vec<Vec<Scalar>> =
-            all().map(|one| all().map(|other| entry(one, other)).collect()).collect();
-        let (determinant, inverse) = lu::invert(g, &square);
-        if is_row || kind.watch_velocities && is_difference {
-            let scale = sizes.into_iter().fold(g.one(), |product, size| product * size);
-            let inverse = determinant.reciprocal();
-            watched.push(Watched { unknown: pivots[0], scale, inverse, is_row, is_difference });
-        }
-        let mut around: BTreeMap<usize, Vec<Scalar>> = BTreeMap::new();
-        for (at, pivot) in pivots.iter().enumerate() {
-            for (unknown, entry) in std::mem::take(&mut rows[*pivot]) {
-                if !pivots.contains(&unknown) {
-                    around.entry(unknown).or_insert_with(|| vec![zero; pivots.len()])[at] = entry;
-                    rows[unknown].remove(pivot);
-                }
-            }
-        }
+        let inverse = self.inverse(pivots);
+        let around = self.around(pivots);
         let sign = |product: Scalar<'g>| if is_row { -product } else { product };
         let along = |entries: &[Scalar<'g>]| match &inverse[..] {
             [own] => vec![entries[0] * sign(own[0])],
@@ -128,9 +116,8 @@ pub fn factor<'g>(g: Sheet<'g>, entries: &Entries, order: &Order, kind: &Kind) -
             around.iter().map(|(unknown, entries)| (*unknown, along(entries))).collect();
         for (at, (i, l)) in column.iter().enumerate() {
             // −K_ip K_ip / d adds to a row's magnitude if d > 0 and takes from it if d < 0; the reverse for a velocity.
-            let product = lu::product(g, l, &around[i]);
-            let update = if is_row { -product } else { product };
-            let diagonal = &mut diagonals[*i];
+            let update = sign(lu::product(g, l, &around[i]));
+            let diagonal = &mut self.diagonals[*i];
             if (*i >= velocities) != is_row {
                 diagonal.own.push(update)
             } else {
@@ -138,19 +125,64 @@ pub fn factor<'g>(g: Sheet<'g>, entries: &Entries, order: &Order, kind: &Kind) -
             }
             for (j, _) in &column[at + 1..] {
                 let product = lu::product(g, l, &around[j]);
-                let updated = rows[*i].get(j).copied().unwrap_or(zero) - product;
-                rows[*i].insert(*j, updated);
-                rows[*j].insert(*i, updated);
+                let updated = self.rows[*i].get(j).copied().unwrap_or(g.zero()) - product;
+                self.rows[*i].insert(*j, updated);
+                self.rows[*j].insert(*i, updated);
             }
         }
         let column = column.into_iter().map(|(unknown, l)| (unknown, all_bare(&l))).collect();
         let inverse = inverse.iter().map(|row| all_bare(row)).collect();
-        steps.push(Step { unknowns: pivots.to_vec(), is_row, inverse, column });
+        Step { unknowns: pivots.to_vec(), is_row, inverse, column }
     }
-    let of_velocities = watched.iter().filter(|watched| !watched.is_row);
-    let velocity_pivot = smallest_pivot(g, &steps, of_velocities.copied().collect()).bare;
-    let pivot = smallest_pivot(g, &steps, watched).bare;
-    Factor { velocities, steps, pivot, velocity_pivot }
+
+    /// P⁻¹ of velocities, −P⁻¹ of rows, positive definite; watched where it may break down.
+    fn inverse(&mut self, pivots: &[usize]) -> Vec<Vec<Scalar<'g>>> {
+        let Active { g, kind, .. } = *self;
+        let is_row = pivots[0] >= kind.velocities;
+        // The diagonal entries, the sizes that they are measured by, and whether the determinant is a difference.
+        let (mut diagonal, mut scale, mut is_difference) = (Vec::new(), g.one(), pivots.len() > 1);
+        for pivot in pivots {
+            let Diagonal { own, taken } = std::mem::take(&mut self.diagonals[*pivot]);
+            let positive = g.sum(own);
+            let mut magnitude = taken.iter().fold(positive, |sum, term| sum - *term);
+            if let (true, Some(compliance)) = (is_row, kind.compliance) {
+                magnitude += compliance[*pivot - kind.velocities];
+            }
+            is_difference |= !taken.is_empty();
+            scale = scale * if is_row { g.on(kind.scales[*pivot - kind.velocities]) } else { positive };
+            diagonal.push(magnitude);
+        }
+        let entry = |(i, one): (usize, &usize), (j, other): (usize, &usize)| match self.rows[*one].get(other)
+        {
+            _ if i == j => diagonal[i],
+            Some(entry) if is_row => -*entry,
+            Some(entry) => *entry,
+            None => g.zero(),
+        };
+        let all = || pivots.iter().enumerate();
+        let square: Vec<Vec<Scalar>> =
+            all().map(|one| all().map(|other| entry(one, other)).collect()).collect();
+        let (determinant, inverse) = lu::invert(g, &square);
+        if is_row || kind.watch_velocities && is_difference {
+            let inverse = determinant.reciprocal();
+            self.watched.push(Watched { unknown: pivots[0], scale, inverse, is_row, is_difference });
+        }
+        inverse
+    }
+
+    /// Takes out the entries of the rows and columns of pivots beside them: by unknown, one for each of the pivots.
+    fn around(&mut self, pivots: &[usize]) -> BTreeMap<usize, Vec<Scalar<'g>>> {
+        let mut around: BTreeMap<usize, Vec<Scalar>> = BTreeMap::new();
+        for (at, pivot) in pivots.iter().enumerate() {
+            for (unknown, entry) in std::mem::take(&mut self.rows[*pivot]) {
+                if !pivots.contains(&unknown) {
+                    around.entry(unknown).or_insert_with(|| vec![self.g.zero(); pivots.len()])[at] = entry;
+                    self.rows[unknown].remove(pivot);
+                }
+            }
+        }
+        around
+    }
 }
 
 /// A pivot to be watched.
