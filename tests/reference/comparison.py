@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 TERM_SCALED = 1e-12  # differences in units of the magnitude of the terms
-BACKWARD = 3e-13  # normwise backward error of a linear system
+BACKWARD = 2e-13  # normwise backward error of a linear system
 RESIDUAL = 1e-10  # constraints and identities at consistent states, in units of the terms
 CONDITION = 1e8  # states above are set aside …
 SET_ASIDE = 0.1  # … at most this share of them

@@ -144,7 +144,7 @@ fn eliminate<'g>(
 }
 
 /// Determinant and inverse of a matrix of one, two or three rows: a⁻¹ = adj(a)/det(a).
-pub(super) fn invert<'g>(g: Sheet<'g>, a: &[Vec<Scalar<'g>>]) -> (Scalar<'g>, Vec<Vec<Scalar<'g>>>) {
+fn invert<'g>(g: Sheet<'g>, a: &[Vec<Scalar<'g>>]) -> (Scalar<'g>, Vec<Vec<Scalar<'g>>>) {
     let size = a.len();
     let cofactor = |row: usize, column: usize| match size {
         1 => g.one(),
@@ -167,7 +167,7 @@ pub(super) fn invert<'g>(g: Sheet<'g>, a: &[Vec<Scalar<'g>>]) -> (Scalar<'g>, Ve
 }
 
 /// Σ aᵢ bᵢ.
-pub(super) fn product<'g>(g: Sheet<'g>, a: &[Scalar<'g>], b: &[Scalar<'g>]) -> Scalar<'g> {
+fn product<'g>(g: Sheet<'g>, a: &[Scalar<'g>], b: &[Scalar<'g>]) -> Scalar<'g> {
     g.sum(a.iter().zip(b).map(|(a, b)| *a * *b))
 }
 

@@ -333,9 +333,7 @@ fn eliminate(equations: &Equations, system: &System, order: Order) -> Solved {
     let System { velocities, columns, entries, massless, scales, .. } = system;
     let g = equations.graph.sheet();
     let watch_velocities = !massless.rows.is_empty();
-    let vectors = pairs(&equations.rows);
-    let kind =
-        Kind { velocities: *velocities, watch_velocities, scales, vectors: &vectors, compliance: None };
+    let kind = Kind { velocities: *velocities, watch_velocities, scales, compliance: None };
     let factor = elimination::factor(g, entries, &order, &kind);
 
     let plain: Vec<Node> = equations.rows.iter().map(|row| row.jet.bias).collect();
@@ -403,13 +401,6 @@ pub fn groups(rows: &[Row]) -> Vec<Option<usize>> {
         groups.extend(vec![(group.len() > 1).then_some(number); group.len()]);
     }
     groups
-}
-
-/// Pairs of rows that are the components of one vector, numbered alike.
-fn pairs(rows: &[Row]) -> Vec<Option<usize>> {
-    let groups = groups(rows);
-    let size = |group: usize| groups.iter().filter(|other| **other == Some(group)).count();
-    groups.iter().map(|group| group.filter(|group| size(*group) == 2)).collect()
 }
 
 /// v̇ and λ for [Q; −γ].

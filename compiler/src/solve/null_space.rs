@@ -70,13 +70,8 @@ pub fn null_space(
     let mass = Symmetric::new(g, velocities, &equations.mass);
     let reduced = reduced(g, &mass, &basis);
     let order = order::best(&Pattern::new(independent.len(), 0, reduced.keys().copied()));
-    let kind = Kind {
-        velocities: independent.len(),
-        watch_velocities: massless,
-        scales: &[],
-        vectors: &[],
-        compliance: None,
-    };
+    let kind =
+        Kind { velocities: independent.len(), watch_velocities: massless, scales: &[], compliance: None };
     let factor = elimination::factor(g, &reduced, &order, &kind);
     // That of D is at most one.
     let pivot = if factor.pivot == g.one().bare { lu.pivot } else { lu.pivot.min(g.on(factor.pivot)) }.bare;

@@ -4,7 +4,7 @@
 //! the factorisation and kept; the rest is the other function. So nothing has to be said about what a factor consists of.
 
 use super::elimination::{self, Entries, Kind};
-use super::{Massless, add_square, pairs, stabilised};
+use super::{Massless, add_square, stabilised};
 use crate::equations::Equations;
 use crate::order::{self, Pattern};
 use crate::symbolic::{Class, Compare, Graph, Node, Scalar, Sheet, all_bare};
@@ -63,14 +63,7 @@ pub fn store(equations: &Equations, massless: &Massless, row_scales: &[Node]) ->
     let mut order = order::best(&pattern);
     order.sequence.retain(|unknown| unknown.checked_sub(n).is_none_or(|row| !idle.contains(&row)));
     let watch_velocities = !massless.rows.is_empty();
-    let vectors = pairs(&equations.rows);
-    let kind = Kind {
-        velocities: n,
-        watch_velocities,
-        scales: row_scales,
-        vectors: &vectors,
-        compliance: Some(&own),
-    };
+    let kind = Kind { velocities: n, watch_velocities, scales: row_scales, compliance: Some(&own) };
     let factor = elimination::factor(g, &entries, &order, &kind);
 
     // Right-hand sides as symbols; the elimination takes rows with the other sign.
