@@ -180,7 +180,7 @@ impl ParametricFourBar<::core::primitive::f64> {
     ///Degrees of freedom, drivers removed.
     pub const DEGREES_OF_FREEDOM: ::core::primitive::usize = 1;
     ///Operations of the default acceleration function (Baumgarte), a fused multiply-add counted once.
-    pub const OPERATIONS: ::core::primitive::usize = 89;
+    pub const OPERATIONS: ::core::primitive::usize = 88;
     ///The definition as written.
     pub const SOURCE: &'static ::core::primitive::str = (
         "# [doc = \" Four-bar of which every number is a parameter; its defaults are the literals of [`GeneralFourBar`].\"] pub planar ParametricFourBar { param gravity_x [m / s ^ 2] = 0.31 ; param gravity_y [m / s ^ 2] = - 9.73 ; param crank_x [m] = - 0.15 ; param crank_y [m] = 0.24 ; param rocker_x [m] = 0.93 ; param rocker_y [m] = 0.45 ; param crank_length [m] = 0.4 in 0.01 .. 10 ; param crank_mass [kg] = 0.71 ; param crank_inertia [kg * m ^ 2] = 0.013 ; param crank_center_x [m] = 0.17 ; param crank_center_y [m] = 0.033 ; param coupler_length [m] = 1.0 in 0.01 .. 10 ; param coupler_mass [kg] = 1.93 ; param coupler_inertia [kg * m ^ 2] = 0.187 ; param coupler_center_x [m] = 0.43 ; param coupler_center_y [m] = - 0.12 ; param tracer_x [m] = 0.62 ; param tracer_y [m] = 0.29 ; param rocker_length [m] = 0.9 in 0.01 .. 10 ; param rocker_mass [kg] = 1.37 ; param rocker_inertia [kg * m ^ 2] = 0.091 ; param rocker_center_x [m] = 0.52 ; param rocker_center_y [m] = 0.071 ; param start_angle [deg] = 40 ; param start_rate [rad / s] = 3 ; gravity [m / s ^ 2] = (gravity_x , gravity_y) ; body crank { mass [kg] = crank_mass ; inertia [kg * m ^ 2] = crank_inertia ; center [m] = (crank_center_x , crank_center_y) ; point tip [m] = (crank_length , 0) ; } body coupler { mass [kg] = coupler_mass ; inertia [kg * m ^ 2] = coupler_inertia ; center [m] = (coupler_center_x , coupler_center_y) ; point tip [m] = (coupler_length , 0) ; point tracer [m] = (tracer_x , tracer_y) ; } body rocker { mass [kg] = rocker_mass ; inertia [kg * m ^ 2] = rocker_inertia ; center [m] = (rocker_center_x , rocker_center_y) ; point tip [m] = (rocker_length , 0) ; } joint crank_pin : revolute (ground (crank_x , crank_y) [m] , crank . origin) ; joint rocker_pin : revolute (ground (rocker_x , rocker_y) [m] , rocker . origin) ; joint left : revolute (crank . tip , coupler . origin) ; joint right : revolute (coupler . tip , rocker . tip) ; start { crank_pin . angle [rad] = start_angle ; crank_pin . rate [rad / s] = start_rate ; rocker_pin . angle [deg] ~ 100 ; coupler . angle [deg] ~ 40 ; } expect { degrees_of_freedom = 1 ; } output trace_x [m] = coupler . tracer . x ; output trace_y [m] = coupler . tracer . y ; output rocking [rad] = rocker_pin . angle ; }",
@@ -342,7 +342,7 @@ const _: () = {
         }
         fn with(parameters: Parameters<R>, phases: Phases<R>) -> Self {
             // What depends on parameters and phases alone: the constants of the prepared model.
-            // 65 operations.
+            // 64 operations.
             let gravity_x = parameters.gravity_x;
             let gravity_y = parameters.gravity_y;
             let crank_x = parameters.crank_x;
@@ -373,86 +373,85 @@ const _: () = {
             let a2 = crank_length * coupler_center_y;
             let a3 = coupler_mass * a2;
             let a4 = crank_length * crank_length;
-            let a5 = crank_center_y * crank_center_y;
-            let a6 = crank_center_x.mul_add(crank_center_x, a5);
-            let a7 = crank_mass * a6;
-            let a8 = coupler_mass.mul_add(a4, a7);
-            let a9 = crank_inertia + a8;
-            let a10 = rocker_center_y * rocker_center_y;
-            let a11 = rocker_center_x.mul_add(rocker_center_x, a10);
-            let a12 = rocker_mass.mul_add(a11, rocker_inertia);
-            let a13 = coupler_center_y * coupler_center_y;
-            let a14 = coupler_center_x.mul_add(coupler_center_x, a13);
-            let a15 = coupler_mass.mul_add(a14, coupler_inertia);
-            let a16 = rocker_x - crank_x;
-            let a17 = rocker_y - crank_y;
-            let a18 = gravity_y * crank_length;
-            let a19 = gravity_x * crank_center_y;
-            let a20 = (-gravity_y).mul_add(crank_center_x, a19);
-            let a21 = crank_mass * a20;
-            let a22 = (-coupler_mass).mul_add(a18, a21);
-            let a23 = gravity_x * crank_length;
-            let a24 = gravity_y * crank_center_y;
-            let a25 = gravity_x.mul_add(crank_center_x, a24);
-            let a26 = crank_mass * a25;
-            let a27 = coupler_mass.mul_add(a23, a26);
-            let a28 = gravity_x * coupler_center_y;
-            let a29 = (-gravity_y).mul_add(coupler_center_x, a28);
-            let a30 = coupler_mass * a29;
-            let a31 = gravity_y * coupler_center_y;
-            let a32 = gravity_x.mul_add(coupler_center_x, a31);
-            let a33 = coupler_mass * a32;
-            let a34 = gravity_x * rocker_center_y;
-            let a35 = (-gravity_y).mul_add(rocker_center_x, a34);
-            let a36 = rocker_mass * a35;
-            let a37 = gravity_y * rocker_center_y;
-            let a38 = gravity_x.mul_add(rocker_center_x, a37);
-            let a39 = rocker_mass * a38;
-            let a40 = R::ONE / a9;
-            let a41 = R::ONE / a12;
-            let a42 = R::ONE / a15;
-            let a43 = R::from_f64(0.8275232094153417) * coupler_length;
-            let a44 = a43 * a43;
-            let a45 = R::from_f64(0.971820281433286) * rocker_length;
-            let a46 = a45 * a45;
-            let a47 = R::from_f64(0.6427876096865394) * crank_length;
+            let a5 = coupler_mass.mul_add(a4, crank_inertia);
+            let a6 = crank_center_x * crank_center_x;
+            let a7 = crank_center_y.mul_add(crank_center_y, a6);
+            let a8 = crank_mass.mul_add(a7, a5);
+            let a9 = rocker_center_x * rocker_center_x;
+            let a10 = rocker_center_y.mul_add(rocker_center_y, a9);
+            let a11 = rocker_mass.mul_add(a10, rocker_inertia);
+            let a12 = coupler_center_x * coupler_center_x;
+            let a13 = coupler_center_y.mul_add(coupler_center_y, a12);
+            let a14 = coupler_mass.mul_add(a13, coupler_inertia);
+            let a15 = rocker_x - crank_x;
+            let a16 = rocker_y - crank_y;
+            let a17 = gravity_y * crank_length;
+            let a18 = coupler_mass * a17;
+            let a19 = gravity_y * crank_center_x;
+            let a20 = gravity_x.mul_add(crank_center_y, -a19);
+            let a21 = crank_mass.mul_add(a20, -a18);
+            let a22 = gravity_x * crank_length;
+            let a23 = coupler_mass * a22;
+            let a24 = gravity_x * crank_center_x;
+            let a25 = gravity_y.mul_add(crank_center_y, a24);
+            let a26 = crank_mass.mul_add(a25, a23);
+            let a27 = gravity_y * coupler_center_x;
+            let a28 = gravity_x.mul_add(coupler_center_y, -a27);
+            let a29 = coupler_mass * a28;
+            let a30 = gravity_x * coupler_center_x;
+            let a31 = gravity_y.mul_add(coupler_center_y, a30);
+            let a32 = coupler_mass * a31;
+            let a33 = gravity_y * rocker_center_x;
+            let a34 = gravity_x.mul_add(rocker_center_y, -a33);
+            let a35 = rocker_mass * a34;
+            let a36 = gravity_x * rocker_center_x;
+            let a37 = gravity_y.mul_add(rocker_center_y, a36);
+            let a38 = rocker_mass * a37;
+            let a39 = R::ONE / a8;
+            let a40 = R::ONE / a11;
+            let a41 = R::from_f64(0.6427876096865394) * crank_length;
+            let a42 = a41 * a41;
+            let a43 = a39 * a42;
+            let a44 = R::from_f64(0.971820281433286) * rocker_length;
+            let a45 = a44 * a44;
+            let a46 = a40.mul_add(a45, a43);
+            let a47 = R::from_f64(0.8275232094153417) * coupler_length;
             let a48 = a47 * a47;
-            let a49 = a40 * a48;
-            let a50 = a41.mul_add(a46, a49);
-            let a51 = a42.mul_add(a44, a50);
-            let a52 = R::from_f64(2.6455251711937597) * a51;
-            let a53 = R::from_f64(0.7021406963575164) * coupler_length;
-            let a54 = a53 * a53;
+            let a49 = R::ONE / a14;
+            let a50 = a49.mul_add(a48, a46);
+            let a51 = R::from_f64(2.6455251711937597) * a50;
+            let a52 = R::from_f64(0.993650416208718) * crank_length;
+            let a53 = a52 * a52;
+            let a54 = a39 * a53;
             let a55 = R::from_f64(0.8614660779177452) * rocker_length;
             let a56 = a55 * a55;
-            let a57 = R::from_f64(0.993650416208718) * crank_length;
-            let a58 = a57 * a57;
-            let a59 = a40 * a58;
-            let a60 = a41.mul_add(a56, a59);
-            let a61 = a42.mul_add(a54, a60);
-            let a62 = R::from_f64(1.5347207530430917) * a61;
-            let a63 = rocker_length * a41;
-            let a64 = crank_length * a40;
+            let a57 = a40.mul_add(a56, a54);
+            let a58 = R::from_f64(0.7021406963575164) * coupler_length;
+            let a59 = a58 * a58;
+            let a60 = a49.mul_add(a59, a57);
+            let a61 = R::from_f64(1.5347207530430917) * a60;
+            let a62 = rocker_length * a40;
+            let a63 = crank_length * a39;
             Self {
                 parameters,
                 phases,
                 constants: [
                     a1,
                     a3,
-                    a9,
-                    a12,
-                    a15,
+                    a8,
+                    a11,
+                    a14,
                     crank_length,
                     coupler_length,
                     rocker_length,
+                    a15,
                     a16,
-                    a17,
-                    a22,
-                    a27,
-                    a30,
-                    a33,
-                    a36,
-                    a39,
+                    a21,
+                    a26,
+                    a29,
+                    a32,
+                    a35,
+                    a38,
                     crank_mass,
                     crank_inertia,
                     crank_center_x,
@@ -471,12 +470,12 @@ const _: () = {
                     crank_y,
                     rocker_x,
                     rocker_y,
+                    a39,
                     a40,
-                    a41,
-                    a52,
+                    a51,
+                    a61,
                     a62,
                     a63,
-                    a64,
                     tracer_x,
                     tracer_y,
                     start_angle,
@@ -519,12 +518,12 @@ const _: () = {
             let k2 = constants[2];
             let k3 = constants[3];
             let k4 = constants[4];
-            let a0 = crank_cos * coupler_sin;
-            let a1 = (-crank_sin).mul_add(coupler_cos, a0);
-            let a2 = crank_cos * coupler_cos;
-            let a3 = crank_sin.mul_add(coupler_sin, a2);
-            let a4 = k0 * a3;
-            let a5 = (-k1).mul_add(a1, a4);
+            let a0 = crank_sin * coupler_sin;
+            let a1 = crank_cos.mul_add(coupler_cos, a0);
+            let a2 = k0 * a1;
+            let a3 = crank_sin * coupler_cos;
+            let a4 = crank_cos.mul_add(coupler_sin, -a3);
+            let a5 = (-k1).mul_add(a4, a2);
             *out = [k2, k3, a5, k4];
         }
     }

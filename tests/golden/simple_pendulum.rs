@@ -246,11 +246,11 @@ const _: () = {
             let a0 = arm_sin * arm_rate;
             let a1 = -a0;
             let a2 = arm_cos * arm_rate;
-            let a3 = arm_rate * arm_rate;
-            let a4 = arm_cos * a3;
-            let a5 = (-arm_sin).mul_add(arm_rate_dot, -a4);
+            let a3 = arm_sin * arm_rate_dot;
+            let a4 = arm_rate * arm_rate;
+            let a5 = (-arm_cos).mul_add(a4, -a3);
             let a6 = arm_cos * arm_rate_dot;
-            let a7 = (-arm_sin).mul_add(a3, a6);
+            let a7 = (-arm_sin).mul_add(a4, a6);
             [
                 BodyMotion {
                     position: [arm_cos, arm_sin],
@@ -272,20 +272,19 @@ const _: () = {
             a: &V<R>,
             lambda: &Lambda<R>,
         ) -> [Reaction<R>; 1] {
-            // 6 operations.
+            // 5 operations.
             let arm_cos = state.q[0];
             let arm_sin = state.q[1];
             let arm_rate = state.v[0];
             let arm_rate_dot = a[0];
-            let a0 = arm_rate * arm_rate;
-            let a1 = arm_cos * a0;
-            let a2 = (-arm_sin).mul_add(arm_rate_dot, -a1);
-            let a3 = arm_cos * arm_rate_dot;
-            let a4 = (-arm_sin).mul_add(a0, a3);
-            let a5 = R::from_f64(9.81) + a4;
+            let a0 = arm_sin * arm_rate_dot;
+            let a1 = arm_rate * arm_rate;
+            let a2 = (-arm_cos).mul_add(a1, -a0);
+            let a3 = arm_cos.mul_add(arm_rate_dot, R::from_f64(9.81));
+            let a4 = (-arm_sin).mul_add(a1, a3);
             [
                 Reaction {
-                    force: [a2, a5],
+                    force: [a2, a4],
                     torque: R::ZERO,
                 },
             ]
@@ -405,10 +404,10 @@ const _: () = {
             let arm_cos = q[0];
             let arm_sin = q[1];
             let arm_rate = v[0];
-            let a0 = arm_cos * arm_rate;
-            let a1 = arm_sin * arm_rate;
-            let a2 = a1 * a1;
-            let a3 = a0.mul_add(a0, a2);
+            let a0 = arm_sin * arm_rate;
+            let a1 = a0 * a0;
+            let a2 = arm_cos * arm_rate;
+            let a3 = a2.mul_add(a2, a1);
             let a4 = R::from_f64(0.5) * a3;
             a4
         }
@@ -542,10 +541,10 @@ const _: () = {
             let arm_cos = q[0];
             let arm_sin = q[1];
             let target_pivot_angle = target[0];
-            let a0 = target_pivot_angle.sin();
-            let a1 = target_pivot_angle.cos();
-            let a2 = arm_sin * a1;
-            let a3 = (-arm_cos).mul_add(a0, a2);
+            let a0 = target_pivot_angle.cos();
+            let a1 = arm_sin * a0;
+            let a2 = target_pivot_angle.sin();
+            let a3 = (-arm_cos).mul_add(a2, a1);
             *out = [a3];
         }
         fn condition_jacobian(&self, time: R, q: &Q<R>, out: &mut ConditionJacobian<R>) {

@@ -82,7 +82,7 @@ impl SphericalPendulum<::core::primitive::f64> {
     ///Degrees of freedom, drivers removed.
     pub const DEGREES_OF_FREEDOM: ::core::primitive::usize = 3;
     ///Operations of the default acceleration function (Baumgarte), a fused multiply-add counted once.
-    pub const OPERATIONS: ::core::primitive::usize = 16;
+    pub const OPERATIONS: ::core::primitive::usize = 15;
     ///The definition as written.
     pub const SOURCE: &'static ::core::primitive::str = (
         "# [doc = \" Bar on a spherical joint (Spherical_Case01), released from the horizontal.\"] pub spatial SphericalPendulum { gravity [m / s ^ 2] = (0 , 0 , - 9.80665) ; body bar { mass [kg] = 1 ; inertia [kg * m ^ 2] = (0.04 , 0.1 , 0.1) ; center [m] = (2 , 0 , 0) ; } joint pivot : spherical (ground (0 , 0 , 0) [m] , bar . origin) ; start { bar . orientation = (1 , 0 , 0 , 0) ; bar . rate . x [rad / s] = 0 ; bar . rate . y [rad / s] = 0 ; bar . rate . z [rad / s] = 0 ; } expect { degrees_of_freedom = 3 ; } output x [m] = bar . center . x ; output y [m] = bar . center . y ; output z [m] = bar . center . z ; output velocity_x [m / s] = bar . center . velocity . x ; output velocity_y [m / s] = bar . center . velocity . y ; output velocity_z [m / s] = bar . center . velocity . z ; }",
@@ -175,53 +175,53 @@ const _: () = {
             let pivot_rate_x_dot = a[0];
             let pivot_rate_y_dot = a[1];
             let pivot_rate_z_dot = a[2];
-            let a0 = R::from_f64(2.0) * pivot_orientation_y;
-            let a1 = pivot_orientation_y * a0;
-            let a2 = R::from_f64(2.0) * pivot_orientation_z;
-            let a3 = pivot_orientation_z * a2;
-            let a4 = a1 + a3;
+            let a0 = R::from_f64(2.0) * pivot_orientation_z;
+            let a1 = pivot_orientation_z * a0;
+            let a2 = R::from_f64(2.0) * pivot_orientation_y;
+            let a3 = pivot_orientation_y * a2;
+            let a4 = a3 + a1;
             let a5 = R::ONE - a4;
             let a6 = R::from_f64(2.0) * a5;
-            let a7 = pivot_orientation_x * a0;
-            let a8 = pivot_orientation_w.mul_add(a2, a7);
+            let a7 = pivot_orientation_x * a2;
+            let a8 = pivot_orientation_w.mul_add(a0, a7);
             let a9 = R::from_f64(2.0) * a8;
-            let a10 = pivot_orientation_x * a2;
-            let a11 = (-pivot_orientation_w).mul_add(a0, a10);
+            let a10 = pivot_orientation_x * a0;
+            let a11 = (-pivot_orientation_w).mul_add(a2, a10);
             let a12 = R::from_f64(2.0) * a11;
-            let a13 = (-pivot_orientation_w).mul_add(a2, a7);
-            let a14 = pivot_orientation_w.mul_add(a0, a10);
+            let a13 = (-pivot_orientation_w).mul_add(a0, a7);
+            let a14 = pivot_orientation_w.mul_add(a2, a10);
             let a15 = R::from_f64(2.0) * pivot_orientation_x;
-            let a16 = pivot_orientation_x.mul_add(a15, a3);
-            let a17 = R::ONE - a16;
-            let a18 = pivot_orientation_y * a2;
+            let a16 = (-pivot_orientation_x).mul_add(a15, R::ONE);
+            let a17 = a16 - a1;
+            let a18 = pivot_orientation_y * a0;
             let a19 = (-pivot_orientation_w).mul_add(a15, a18);
             let a20 = pivot_orientation_w.mul_add(a15, a18);
-            let a21 = pivot_orientation_x.mul_add(a15, a1);
-            let a22 = R::ONE - a21;
-            let a23 = R::from_f64(2.0) * pivot_rate_y;
-            let a24 = R::from_f64(2.0) * pivot_rate_z;
-            let a25 = a13 * a24;
-            let a26 = (-a14).mul_add(a23, a25);
-            let a27 = a17 * a24;
-            let a28 = (-a19).mul_add(a23, a27);
-            let a29 = a20 * a24;
-            let a30 = (-a22).mul_add(a23, a29);
-            let a31 = pivot_rate_x.mul_add(pivot_rate_z, -pivot_rate_y_dot);
+            let a21 = (-pivot_orientation_x).mul_add(a15, R::ONE);
+            let a22 = a21 - a3;
+            let a23 = R::from_f64(2.0) * pivot_rate_z;
+            let a24 = a13 * a23;
+            let a25 = R::from_f64(2.0) * pivot_rate_y;
+            let a26 = (-a14).mul_add(a25, a24);
+            let a27 = a17 * a23;
+            let a28 = (-a19).mul_add(a25, a27);
+            let a29 = a20 * a23;
+            let a30 = (-a22).mul_add(a25, a29);
+            let a31 = pivot_rate_x.mul_add(pivot_rate_y, pivot_rate_z_dot);
             let a32 = R::from_f64(2.0) * a31;
-            let a33 = pivot_rate_y * pivot_rate_y;
-            let a34 = pivot_rate_z.mul_add(pivot_rate_z, a33);
+            let a33 = a13 * a32;
+            let a34 = pivot_rate_x.mul_add(pivot_rate_z, -pivot_rate_y_dot);
             let a35 = R::from_f64(2.0) * a34;
-            let a36 = pivot_rate_x.mul_add(pivot_rate_y, pivot_rate_z_dot);
-            let a37 = R::from_f64(2.0) * a36;
-            let a38 = a13 * a37;
-            let a39 = (-a5).mul_add(a35, a38);
-            let a40 = a14.mul_add(a32, a39);
-            let a41 = a17 * a37;
-            let a42 = (-a8).mul_add(a35, a41);
-            let a43 = a19.mul_add(a32, a42);
-            let a44 = a20 * a37;
-            let a45 = (-a11).mul_add(a35, a44);
-            let a46 = a22.mul_add(a32, a45);
+            let a36 = a14.mul_add(a35, a33);
+            let a37 = pivot_rate_z * pivot_rate_z;
+            let a38 = pivot_rate_y.mul_add(pivot_rate_y, a37);
+            let a39 = R::from_f64(2.0) * a38;
+            let a40 = (-a5).mul_add(a39, a36);
+            let a41 = a17 * a32;
+            let a42 = a19.mul_add(a35, a41);
+            let a43 = (-a8).mul_add(a39, a42);
+            let a44 = a20 * a32;
+            let a45 = a22.mul_add(a35, a44);
+            let a46 = (-a11).mul_add(a39, a45);
             [
                 SpatialMotion {
                     position: [a6, a9, a12],
@@ -247,7 +247,7 @@ const _: () = {
             a: &V<R>,
             lambda: &Lambda<R>,
         ) -> [SpatialReaction<R>; 1] {
-            // 70 operations.
+            // 66 operations.
             let pivot_orientation_w = state.q[0];
             let pivot_orientation_x = state.q[1];
             let pivot_orientation_y = state.q[2];
@@ -258,80 +258,76 @@ const _: () = {
             let pivot_rate_x_dot = a[0];
             let pivot_rate_y_dot = a[1];
             let pivot_rate_z_dot = a[2];
-            let a0 = R::from_f64(2.0) * pivot_orientation_y;
-            let a1 = R::from_f64(2.0) * pivot_orientation_z;
-            let a2 = pivot_orientation_x * a1;
-            let a3 = pivot_orientation_w.mul_add(a0, a2);
-            let a4 = pivot_rate_x.mul_add(pivot_rate_z, -pivot_rate_y_dot);
-            let a5 = R::from_f64(2.0) * a4;
-            let a6 = pivot_orientation_y * a0;
-            let a7 = pivot_orientation_z * a1;
-            let a8 = a6 + a7;
-            let a9 = R::ONE - a8;
-            let a10 = pivot_rate_y * pivot_rate_y;
-            let a11 = pivot_rate_z.mul_add(pivot_rate_z, a10);
-            let a12 = R::from_f64(2.0) * a11;
-            let a13 = pivot_orientation_x * a0;
-            let a14 = (-pivot_orientation_w).mul_add(a1, a13);
-            let a15 = pivot_rate_x.mul_add(pivot_rate_y, pivot_rate_z_dot);
-            let a16 = R::from_f64(2.0) * a15;
-            let a17 = a14 * a16;
-            let a18 = (-a9).mul_add(a12, a17);
-            let a19 = a3.mul_add(a5, a18);
+            let a0 = pivot_rate_x.mul_add(pivot_rate_y, pivot_rate_z_dot);
+            let a1 = R::from_f64(2.0) * a0;
+            let a2 = R::from_f64(2.0) * pivot_orientation_y;
+            let a3 = pivot_orientation_x * a2;
+            let a4 = R::from_f64(2.0) * pivot_orientation_z;
+            let a5 = (-pivot_orientation_w).mul_add(a4, a3);
+            let a6 = a5 * a1;
+            let a7 = pivot_rate_x.mul_add(pivot_rate_z, -pivot_rate_y_dot);
+            let a8 = R::from_f64(2.0) * a7;
+            let a9 = pivot_orientation_x * a4;
+            let a10 = pivot_orientation_w.mul_add(a2, a9);
+            let a11 = a10.mul_add(a8, a6);
+            let a12 = pivot_rate_z * pivot_rate_z;
+            let a13 = pivot_rate_y.mul_add(pivot_rate_y, a12);
+            let a14 = R::from_f64(2.0) * a13;
+            let a15 = pivot_orientation_z * a4;
+            let a16 = pivot_orientation_y * a2;
+            let a17 = a16 + a15;
+            let a18 = R::ONE - a17;
+            let a19 = (-a18).mul_add(a14, a11);
             let a20 = R::from_f64(2.0) * pivot_orientation_x;
-            let a21 = pivot_orientation_y * a1;
-            let a22 = (-pivot_orientation_w).mul_add(a20, a21);
-            let a23 = pivot_orientation_w.mul_add(a1, a13);
-            let a24 = pivot_orientation_x.mul_add(a20, a7);
-            let a25 = R::ONE - a24;
-            let a26 = a25 * a16;
-            let a27 = (-a23).mul_add(a12, a26);
-            let a28 = a22.mul_add(a5, a27);
-            let a29 = pivot_orientation_x.mul_add(a20, a6);
-            let a30 = R::ONE - a29;
-            let a31 = (-pivot_orientation_w).mul_add(a0, a2);
-            let a32 = pivot_orientation_w.mul_add(a20, a21);
-            let a33 = a32 * a16;
-            let a34 = (-a31).mul_add(a12, a33);
-            let a35 = a30.mul_add(a5, a34);
-            let a36 = R::from_f64(9.80665) + a35;
+            let a21 = (-pivot_orientation_x).mul_add(a20, R::ONE);
+            let a22 = a21 - a15;
+            let a23 = a22 * a1;
+            let a24 = pivot_orientation_y * a4;
+            let a25 = (-pivot_orientation_w).mul_add(a20, a24);
+            let a26 = a25.mul_add(a8, a23);
+            let a27 = pivot_orientation_w.mul_add(a4, a3);
+            let a28 = (-a27).mul_add(a14, a26);
+            let a29 = pivot_orientation_w.mul_add(a20, a24);
+            let a30 = a29.mul_add(a1, R::from_f64(9.80665));
+            let a31 = (-pivot_orientation_x).mul_add(a20, R::ONE);
+            let a32 = a31 - a16;
+            let a33 = a32.mul_add(a8, a30);
+            let a34 = (-pivot_orientation_w).mul_add(a2, a9);
+            let a35 = (-a34).mul_add(a14, a33);
+            let a36 = R::from_f64(0.1) * pivot_rate_y_dot;
             let a37 = R::from_f64(0.04) * pivot_rate_x;
-            let a38 = R::from_f64(0.1) * pivot_rate_y;
-            let a39 = pivot_rate_x * a38;
-            let a40 = (-pivot_rate_y).mul_add(a37, a39);
-            let a41 = R::from_f64(0.1).mul_add(pivot_rate_z_dot, a40);
-            let a42 = R::from_f64(0.1) * pivot_rate_z;
-            let a43 = pivot_rate_z * a37;
-            let a44 = (-pivot_rate_x).mul_add(a42, a43);
-            let a45 = R::from_f64(0.1).mul_add(pivot_rate_y_dot, a44);
-            let a46 = pivot_rate_y * a42;
-            let a47 = (-pivot_rate_z).mul_add(a38, a46);
-            let a48 = R::from_f64(0.04).mul_add(pivot_rate_x_dot, a47);
-            let a49 = a9 * a48;
-            let a50 = a14.mul_add(a45, a49);
-            let a51 = a3.mul_add(a41, a50);
-            let a52 = R::from_f64(2.0) * a31;
-            let a53 = R::from_f64(2.0) * a23;
-            let a54 = a53 * a36;
-            let a55 = (-a52).mul_add(a28, a54);
-            let a56 = a51 + a55;
-            let a57 = a23 * a48;
-            let a58 = a25.mul_add(a45, a57);
-            let a59 = a22.mul_add(a41, a58);
-            let a60 = R::from_f64(2.0) * a9;
-            let a61 = a52 * a19;
-            let a62 = (-a60).mul_add(a36, a61);
-            let a63 = a59 + a62;
-            let a64 = a31 * a48;
-            let a65 = a32.mul_add(a45, a64);
-            let a66 = a30.mul_add(a41, a65);
-            let a67 = a60 * a28;
-            let a68 = (-a53).mul_add(a19, a67);
-            let a69 = a66 + a68;
+            let a38 = pivot_rate_z.mul_add(a37, a36);
+            let a39 = R::from_f64(0.1) * pivot_rate_z;
+            let a40 = (-pivot_rate_x).mul_add(a39, a38);
+            let a41 = a5 * a40;
+            let a42 = R::from_f64(0.1) * pivot_rate_z_dot;
+            let a43 = (-pivot_rate_y).mul_add(a37, a42);
+            let a44 = R::from_f64(0.1) * pivot_rate_y;
+            let a45 = pivot_rate_x.mul_add(a44, a43);
+            let a46 = a10.mul_add(a45, a41);
+            let a47 = R::from_f64(0.04) * pivot_rate_x_dot;
+            let a48 = (-pivot_rate_z).mul_add(a44, a47);
+            let a49 = pivot_rate_y.mul_add(a39, a48);
+            let a50 = a18.mul_add(a49, a46);
+            let a51 = R::from_f64(2.0) * a34;
+            let a52 = (-a51).mul_add(a28, a50);
+            let a53 = R::from_f64(2.0) * a27;
+            let a54 = a53.mul_add(a35, a52);
+            let a55 = a27 * a49;
+            let a56 = a22.mul_add(a40, a55);
+            let a57 = a25.mul_add(a45, a56);
+            let a58 = a51.mul_add(a19, a57);
+            let a59 = R::from_f64(2.0) * a18;
+            let a60 = (-a59).mul_add(a35, a58);
+            let a61 = a34 * a49;
+            let a62 = a29.mul_add(a40, a61);
+            let a63 = a32.mul_add(a45, a62);
+            let a64 = (-a53).mul_add(a19, a63);
+            let a65 = a59.mul_add(a28, a64);
             [
                 SpatialReaction {
-                    force: [a19, a28, a36],
-                    torque: [a56, a63, a69],
+                    force: [a19, a28, a35],
+                    torque: [a54, a60, a65],
                 },
             ]
         }
@@ -360,7 +356,7 @@ const _: () = {
         }
         fn forces(&self, time: R, state: &State<Q<R>, V<R>>, u: &(), out: &mut V<R>) {
             // Q(t, q, v, u): loads, gravity and gyroscopic forces of M v̇ + Dᵀ λ = Q (N or N m).
-            // 14 operations.
+            // 13 operations.
             let pivot_orientation_w = state.q[0];
             let pivot_orientation_x = state.q[1];
             let pivot_orientation_y = state.q[2];
@@ -369,19 +365,18 @@ const _: () = {
             let pivot_rate_y = state.v[1];
             let pivot_rate_z = state.v[2];
             let a0 = pivot_rate_x * pivot_rate_z;
-            let a1 = R::from_f64(2.0) * pivot_orientation_y;
+            let a1 = R::from_f64(4.06) * a0;
             let a2 = R::from_f64(2.0) * pivot_orientation_x;
-            let a3 = pivot_orientation_x * a2;
-            let a4 = pivot_orientation_y.mul_add(a1, a3);
-            let a5 = R::ONE - a4;
-            let a6 = R::from_f64(19.6133) * a5;
-            let force_pivot_rate_y = R::from_f64(4.06).mul_add(a0, a6);
-            let a8 = pivot_rate_x * pivot_rate_y;
-            let a9 = R::from_f64(2.0) * pivot_orientation_z;
-            let a10 = pivot_orientation_w * a2;
-            let a11 = pivot_orientation_y.mul_add(a9, a10);
-            let a12 = R::from_f64(19.6133) * a11;
-            let force_pivot_rate_z = R::from_f64(-4.06).mul_add(a8, -a12);
+            let a3 = (-pivot_orientation_x).mul_add(a2, R::ONE);
+            let a4 = R::from_f64(2.0) * pivot_orientation_y;
+            let a5 = (-pivot_orientation_y).mul_add(a4, a3);
+            let force_pivot_rate_y = R::from_f64(19.6133).mul_add(a5, a1);
+            let a7 = pivot_rate_x * pivot_rate_y;
+            let a8 = R::from_f64(4.06) * a7;
+            let a9 = pivot_orientation_w * a2;
+            let a10 = R::from_f64(2.0) * pivot_orientation_z;
+            let a11 = pivot_orientation_y.mul_add(a10, a9);
+            let force_pivot_rate_z = R::from_f64(-19.6133).mul_add(a11, -a8);
             *out = [R::ZERO, force_pivot_rate_y, force_pivot_rate_z];
         }
         fn kinetic_energy(&self, time: R, q: &Q<R>, v: &V<R>) -> R {
@@ -390,12 +385,12 @@ const _: () = {
             let pivot_rate_x = v[0];
             let pivot_rate_y = v[1];
             let pivot_rate_z = v[2];
-            let a0 = R::from_f64(4.1) * pivot_rate_z;
-            let a1 = R::from_f64(4.1) * pivot_rate_y;
-            let a2 = R::from_f64(0.04) * pivot_rate_x;
-            let a3 = pivot_rate_x * a2;
-            let a4 = pivot_rate_y.mul_add(a1, a3);
-            let a5 = pivot_rate_z.mul_add(a0, a4);
+            let a0 = R::from_f64(0.04) * pivot_rate_x;
+            let a1 = pivot_rate_x * a0;
+            let a2 = R::from_f64(4.1) * pivot_rate_y;
+            let a3 = pivot_rate_y.mul_add(a2, a1);
+            let a4 = R::from_f64(4.1) * pivot_rate_z;
+            let a5 = pivot_rate_z.mul_add(a4, a3);
             let a6 = R::from_f64(0.5) * a5;
             a6
         }
@@ -409,7 +404,7 @@ const _: () = {
             lambda_out: &mut Lambda<R>,
         ) -> R {
             // v̇ and λ of M v̇ + Dᵀ λ = Q, D v̇ = γ; the smallest relative pivot.
-            // 16 operations.
+            // 15 operations.
             let pivot_orientation_w = state.q[0];
             let pivot_orientation_x = state.q[1];
             let pivot_orientation_y = state.q[2];
@@ -418,21 +413,20 @@ const _: () = {
             let pivot_rate_y = state.v[1];
             let pivot_rate_z = state.v[2];
             let a0 = pivot_rate_x * pivot_rate_z;
-            let a1 = R::from_f64(2.0) * pivot_orientation_y;
+            let a1 = R::from_f64(4.06) * a0;
             let a2 = R::from_f64(2.0) * pivot_orientation_x;
-            let a3 = pivot_orientation_x * a2;
-            let a4 = pivot_orientation_y.mul_add(a1, a3);
-            let a5 = R::ONE - a4;
-            let a6 = R::from_f64(19.6133) * a5;
-            let a7 = R::from_f64(4.06).mul_add(a0, a6);
-            let pivot_rate_y_dot = R::from_f64(0.24390243902439027) * a7;
-            let a9 = pivot_rate_x * pivot_rate_y;
-            let a10 = R::from_f64(2.0) * pivot_orientation_z;
-            let a11 = pivot_orientation_w * a2;
-            let a12 = pivot_orientation_y.mul_add(a10, a11);
-            let a13 = R::from_f64(19.6133) * a12;
-            let a14 = R::from_f64(4.06).mul_add(a9, a13);
-            let pivot_rate_z_dot = R::from_f64(-0.24390243902439027) * a14;
+            let a3 = (-pivot_orientation_x).mul_add(a2, R::ONE);
+            let a4 = R::from_f64(2.0) * pivot_orientation_y;
+            let a5 = (-pivot_orientation_y).mul_add(a4, a3);
+            let a6 = R::from_f64(19.6133).mul_add(a5, a1);
+            let pivot_rate_y_dot = R::from_f64(0.24390243902439027) * a6;
+            let a8 = pivot_rate_x * pivot_rate_y;
+            let a9 = R::from_f64(4.06) * a8;
+            let a10 = pivot_orientation_w * a2;
+            let a11 = R::from_f64(2.0) * pivot_orientation_z;
+            let a12 = pivot_orientation_y.mul_add(a11, a10);
+            let a13 = R::from_f64(19.6133).mul_add(a12, a9);
+            let pivot_rate_z_dot = R::from_f64(-0.24390243902439027) * a13;
             *a_out = [R::ZERO, pivot_rate_y_dot, pivot_rate_z_dot];
             *lambda_out = [];
             R::ONE
