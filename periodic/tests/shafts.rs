@@ -119,7 +119,7 @@ fn jump(stiffness: f64) -> Jump {
     let linear = in_series(stiffness);
     let start = Shafted::<f64>::default().start();
     let first = cycle.settle(0.65 * linear, &start, 60).unwrap();
-    let along = Along { step: 0.05, ..Along::new(0.6 * linear..=1.1 * linear) };
+    let along = Along { step: 0.04, ..Along::new(0.6 * linear..=1.1 * linear) };
     let branch = cycle.branch(&first, &along).unwrap();
     assert_eq!(branch.end, End::Left);
     assert_eq!(branch.folds.len(), 2, "at {stiffness}");
