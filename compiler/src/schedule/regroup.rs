@@ -84,9 +84,9 @@ fn operands_first(program: &Program) -> Vec<usize> {
                 continue;
             }
             pending.push((index, true));
-            let operands: Vec<usize> = program.instructions[index].operands().filter_map(value).collect();
             // Of a product in a sum the sum so far comes first.
-            pending.extend(operands.into_iter().map(|operand| (operand, false)));
+            let operands = program.instructions[index].operands().filter_map(value);
+            pending.extend(operands.map(|operand| (operand, false)));
         }
     }
     order

@@ -5,6 +5,16 @@ use linkwright_compiler::Compiled;
 use linkwright_compiler::functions::Shape;
 use linkwright_compiler::schedule::{Function, Inputs, Program, run, run_straight};
 
+/// Arrays that are needed one after the other are one: a window of a ladder keeps 19 numbers, and 31 if each had an array of its own.
+#[test]
+fn arrays_are_used_again() {
+    let programs = rolled(&ladder(100, |_| 1.0));
+    let leading = programs.iter().find(|(function, _)| *function == Function::NullSpaceBaumgarte);
+    let rolled = leading.and_then(|(_, program)| program.rolled.as_ref()).expect("it has loops");
+    let kept: usize = rolled.arrays.iter().sum();
+    assert!(kept <= 20 * 100, "{kept} numbers");
+}
+
 /// Windows side by side on hinged cranks, each mass by the number of its window.
 fn ladder(windows: usize, mass: impl Fn(usize) -> f64) -> String {
     let mut text = format!(
@@ -113,11 +123,9 @@ fn assert_constant(name: &str, sources: [String; 2], functions: &[Function]) {
         let [small, large] = [&small, &large].map(|programs| statements(programs, *function));
         println!("{name} {function:?}: {small:?} {large:?} statements");
         let (Some(small), Some(large)) = (small, large) else { panic!("{name}: {function:?} has no loops") };
-        // A term that comes earlier than a chain's in the middle of a short one comes later in that of a long one, and the order of sums with it.
-        assert!(
-            large <= small + small / 8,
-            "{name}, {function:?}: {small} statements, {large} at twice the size"
-        );
+        // In the middle of a short chain in space some terms come before the chain's own that come behind it in a long one; other sums follow.
+        let more = if name == "chain" { small / 8 } else { small / 20 };
+        assert!(large <= small + more, "{name}, {function:?}: {small} statements, {large} at twice the size");
     }
 }
 
