@@ -4,10 +4,12 @@ use linkwright::{Assemble, AssembleExt, Fields, Real, Rk4, StateOf};
 use std::hint::black_box;
 use std::time::Instant;
 
-const STATES: usize = 64;
+/// So few that a slice meets each several times: what others left in the caches is met by the first.
+const STATES: usize = 8;
 const ROUNDS: usize = 400;
-/// Of a slice, ns.
+/// Of a slice, ns, and how many calls it has at least.
 const SLICE: f64 = 20e3;
+const FEWEST: usize = 8 * STATES;
 
 /// What is timed of one mechanism: so many evaluations, v̇ and λ with Baumgarte's terms by the way that leads, at states along the motion; so many
 /// steps of RK4 by a stepper.
@@ -56,7 +58,7 @@ impl Timed {
 
 /// ns of an evaluation and of a step of each, the least of many slices, in turns.
 pub fn least(of: &mut [Timed]) -> Vec<[f64; 2]> {
-    let count = |each: f64| (SLICE / each).ceil() as usize;
+    let count = |each: f64| FEWEST.max((SLICE / each).ceil() as usize);
     let counts: Vec<[usize; 2]> =
         of.iter_mut().map(|it| [time(&mut it.evaluations, 20), time(&mut it.steps, 20)].map(count)).collect();
     let mut least = vec![[f64::INFINITY; 2]; of.len()];
