@@ -31,7 +31,7 @@ use crate::equations::Equations;
 use crate::functions::{ARGUMENTS, Argument, Given};
 use crate::optimize::{self, Fused, Hoisted, Optimized};
 use crate::symbolic::Node;
-use repetition::Places;
+use repetition::{Places, Strands};
 pub use sections::Section;
 use select::Selected;
 
@@ -72,10 +72,13 @@ pub fn schedule(complete: &Complete, optimized: &Optimized) -> Programs {
     let mut selected: Vec<(Function, Selected)> = optimized.functions.iter().map(select).collect();
     let places = Places::of(complete);
     for (function, selected) in &mut selected {
-        let rows = repetition::rows(&selected.program, &places);
-        regroup::regroup(selected, &rows);
-        let lists = List::all(function.signature(), complete, &selected.program.outputs);
-        repetition::roll(selected, &places, &lists);
+        let strands = repetition::strands(&selected.program, &places);
+        regroup::regroup(selected, &strands.as_ref().map_or_else(Vec::new, Strands::rows));
+        if let Some(strands) = strands {
+            let strands = strands.anew(&selected.program, &places);
+            let lists = List::all(function.signature(), complete, &selected.program.outputs);
+            repetition::roll(selected, strands, &lists);
+        }
     }
     let shared = Function::SOLUTIONS.map(|known| {
         let pair = selected.iter_mut().filter(|(function, _)| known.contains(function));

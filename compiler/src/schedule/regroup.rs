@@ -42,7 +42,7 @@ impl Term {
 }
 
 /// Puts the sums of a program in order. `rows`: instructions that repeat one another; sums in a row are in one order, that of the one in its middle.
-pub fn regroup(selected: &mut Selected, rows: &[Vec<u32>]) {
+pub fn regroup(selected: &mut Selected, rows: &[&[u32]]) {
     let mut sums = Sums::new(selected);
     let mut instead = sums.in_order(&BTreeMap::new());
     if !rows.is_empty() {

@@ -17,6 +17,7 @@ mod strands;
 pub use places::Places;
 pub use results::{Copies, List, Result};
 pub use rolled::{Carried, Rolled, RolledLoop, Term};
+pub use strands::Strands;
 
 use super::Program;
 use super::select::Selected;
@@ -47,20 +48,16 @@ fn is_long(program: &Program) -> bool {
     program.instructions.len() + program.outputs.len() >= LONG
 }
 
-/// Rows of instructions of a long program that repeat one another.
-pub fn rows(program: &Program, places: &Places) -> Vec<Vec<u32>> {
-    if !is_long(program) {
-        return Vec::new();
-    }
-    strands::find(program, places).strands.into_iter().map(|strand| strand.members).collect()
+/// What repeats in a program, if it is long.
+pub fn strands(program: &Program, places: &Places) -> Option<Strands> {
+    is_long(program).then(|| strands::find(program, places))
 }
 
 /// Puts the repetitions of a program together and marks them as loops, where that makes its text half as long.
-pub fn roll(selected: &mut Selected, places: &Places, lists: &[List]) {
+pub fn roll(selected: &mut Selected, strands: Strands, lists: &[List]) {
     if !is_long(&selected.program) {
         return;
     }
-    let strands = strands::find(&selected.program, places);
     selected.program.alike = strands.covered();
     let Some((order, loops)) = order::order(&selected.program, strands) else { return };
     let program = selected.program.in_order(&order);

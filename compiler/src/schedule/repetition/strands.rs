@@ -40,6 +40,8 @@ pub struct Strands {
     operations: Rc<[Operation]>,
     pub strands: Vec<Strand>,
     pub of: Vec<Member>,
+    /// How many alike parts alternate.
+    period: u32,
     /// Whether the numbers of new ones may be any.
     any_numbers: bool,
 }
@@ -50,19 +52,22 @@ const PERIODS: u32 = 2;
 /// The strands of a program.
 pub fn find(program: &Program, places: &Places) -> Strands {
     let with = |period: u32| {
-        let of = vec![None; program.instructions.len()];
-        let places = places.every(period);
-        let operations = program.instructions.iter().map(|one| Operation::of(one, &places)).collect();
-        let mut strands = Strands { operations, of, ..Strands::default() };
-        // What is found tells apart what was not.
-        while strands.grow() {}
-        strands.any_numbers = true;
-        while strands.grow() {}
-        strands
+        let strands = Strands::none(program, places, period);
+        let alike = strands.alike();
+        (strands, alike)
     };
     // The shortest text: what is in no strand, and each strand once.
-    let text = |strands: &Strands| program.instructions.len() - strands.covered() + strands.strands.len();
-    (1..=PERIODS).map(with).min_by_key(text).unwrap_or_default()
+    let text = |(strands, alike): &(Strands, Vec<Strand>)| strands.of.len() - members(alike) + alike.len();
+    let Some((mut strands, alike)) = (1..=PERIODS).map(with).min_by_key(text) else {
+        return Strands::default();
+    };
+    strands.grow(alike);
+    strands.find_all();
+    strands
+}
+
+fn members(strands: &[Strand]) -> usize {
+    strands.iter().map(|strand| strand.members.len()).sum()
 }
 
 /// What an instruction does, whatever it does it to.
@@ -201,14 +206,40 @@ enum Key {
 type Beyond = HashMap<(u32, i64), Operand, FastHash>;
 
 impl Strands {
+    fn none(program: &Program, places: &Places, period: u32) -> Strands {
+        let of = vec![None; program.instructions.len()];
+        let places = places.every(period);
+        let operations = program.instructions.iter().map(|one| Operation::of(one, &places)).collect();
+        Strands { operations, of, period, ..Strands::default() }
+    }
+
+    /// Those of another program, with as many parts that alternate.
+    pub fn anew(&self, program: &Program, places: &Places) -> Strands {
+        let mut strands = Strands::none(program, places, self.period);
+        strands.find_all();
+        strands
+    }
+
+    /// What is found tells apart what was not.
+    fn find_all(&mut self) {
+        while self.grow(self.alike()) {}
+        self.any_numbers = true;
+        while self.grow(self.alike()) {}
+    }
+
+    /// The members of each.
+    pub fn rows(&self) -> Vec<&[u32]> {
+        self.strands.iter().map(|strand| strand.members.as_slice()).collect()
+    }
+
     /// How many instructions are in strands.
     pub fn covered(&self) -> usize {
         self.of.iter().flatten().count()
     }
 
-    /// Adds what is alike to some levels: to those levels at which most is. Fewer do not tell apart what differs, and of chains they leave
-    /// what is farther from arguments; more of them lose the ends. Whether there was something that stays.
-    fn grow(&mut self) -> bool {
+    /// What is alike to some levels, at those levels at which most is. Fewer do not tell apart what differs, and of chains they leave what is
+    /// farther from arguments; more of them lose the ends.
+    fn alike(&self) -> Vec<Strand> {
         let free: Vec<u32> = (0..self.of.len() as u32).filter(|at| self.of[*at as usize].is_none()).collect();
         let start = |(operation, member): (&Operation, &Member)| match member {
             Some((strand, at)) => (u64::from(*strand), Some(*at)),
@@ -221,14 +252,27 @@ impl Strands {
             let next: Vec<Form> = free.iter().map(next).collect();
             free.iter().zip(next).for_each(|(at, form)| forms[*at as usize] = form);
             let strands = alike(&forms, &free, self.any_numbers);
-            let covered = strands.iter().map(|strand| strand.members.len()).sum();
-            if covered > most {
-                (best, most) = (strands, covered);
+            let covered = members(&strands);
+            // It grows, then falls.
+            if most > 0 && covered <= most {
+                break;
             }
+            (best, most) = (strands, covered);
+            if covered == free.len() {
+                break;
+            }
+        }
+        best
+    }
+
+    /// Adds strands and cuts all until they hold; whether more is in strands than before.
+    fn grow(&mut self, alike: Vec<Strand>) -> bool {
+        if alike.is_empty() {
+            return false;
         }
         let before = self.covered();
         let old = self.clone();
-        best.into_iter().for_each(|strand| self.add(strand));
+        alike.into_iter().for_each(|strand| self.add(strand));
         self.settle();
         let grown = self.covered() > before;
         if !grown {
@@ -292,7 +336,7 @@ impl Strands {
                 });
             }
         }
-        *self = Strands { operations: old.operations, any_numbers: old.any_numbers, ..new };
+        *self = Strands { strands: new.strands, of: new.of, ..old };
         changed
     }
 }
