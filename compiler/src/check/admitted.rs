@@ -62,13 +62,8 @@ pub struct Here<'a> {
 impl Here<'_> {
     /// |J_N|², what is left of a gradient along the velocities that are admitted, and |J|².
     pub fn squares(&self, gradient: &[(usize, f64)]) -> [f64; 2] {
-        let mut right = vec![0.0; self.weights.len() + self.rows];
-        let mut whole = 0.0;
-        for (column, entry) in gradient {
-            right[*column] = *entry;
-            whole += entry * entry / self.weights[*column];
-        }
-        [self.factored.inverse_square(&right).abs(), whole]
+        let whole = gradient.iter().map(|(column, entry)| entry * entry / self.weights[*column]).sum();
+        [self.factored.inverse_square(gradient.iter().copied()).abs(), whole]
     }
 
     /// The velocity nearest to a wish, its largest entry 1; nothing where there is none.

@@ -4,7 +4,7 @@
 //!
 //! Warnings never stop the compilation, and `#[allow(…)]` before a declaration takes them back.
 
-use super::proportion::disproportion;
+use super::proportion::{attached, disproportion};
 use super::rules::{at_defaults, touched};
 use crate::diagnostics::{Allowed, Diagnostics, Lint, Region};
 use crate::forms::Outline;
@@ -356,8 +356,8 @@ fn inertia_fits_mass_and_size(mechanism: &Mechanism, wanted: &mut Wanted) {
     if mechanism.options.accept_inertia {
         return;
     }
-    for (index, body) in mechanism.bodies.iter().enumerate() {
-        if let Some(found) = disproportion(mechanism, BodyId(index)) {
+    for (body, attached) in mechanism.bodies.iter().zip(attached(mechanism)) {
+        if let Some(found) = disproportion(mechanism, body, &attached) {
             let message = messages::out_of_proportion(&body.name.text, &found);
             wanted.push(Lint::Proportion, body.inertia_span, message);
         }

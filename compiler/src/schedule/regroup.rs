@@ -11,7 +11,6 @@
 use super::program::{Instruction, Operand, Program};
 use super::select::Selected;
 use crate::symbolic::Node;
-use std::collections::BTreeMap;
 
 /// A sum of more products than these keeps its order where its one other term comes latest: begun with it, it would be that much later.
 const MANY: usize = 4;
@@ -44,10 +43,13 @@ impl Term {
 /// Puts the sums of a program in order. `rows`: instructions that repeat one another; sums in a row are in one order, that of the one in its middle.
 pub fn regroup(selected: &mut Selected, rows: &[&[u32]]) {
     let mut sums = Sums::new(selected);
-    let mut instead = sums.in_order(&BTreeMap::new());
+    let mut models: Vec<u32> = (0..selected.program.instructions.len() as u32).collect();
+    let mut instead = sums.in_order(&models);
     if !rows.is_empty() {
-        let members = rows.iter().flat_map(|row| row.iter().map(|member| (*member, row[row.len() / 2])));
-        instead = sums.in_order(&members.collect());
+        for row in rows {
+            row.iter().for_each(|member| models[*member as usize] = row[row.len() / 2]);
+        }
+        instead = sums.in_order(&models);
     }
     let mut gone = vec![false; selected.program.instructions.len()];
     instead.iter().flatten().flat_map(|sum| &sum.inner).for_each(|index| gone[*index as usize] = true);
@@ -138,14 +140,14 @@ impl<'a> Sums<'a> {
         Sums { program, nodes: &selected.nodes, goes_on, depth: vec![0; program.instructions.len()] }
     }
 
-    /// The sums of the program, by their last instructions, each in the order of its model if it has one that is alike.
-    fn in_order(&mut self, models: &BTreeMap<u32, u32>) -> Vec<Option<Sum>> {
+    /// The sums of the program, by their last instructions, each in the order of its model if that is alike.
+    fn in_order(&mut self, models: &[u32]) -> Vec<Option<Sum>> {
         let mut sums = Vec::with_capacity(self.program.instructions.len());
         for (root, instruction) in self.program.instructions.iter().enumerate() {
             let mut sum = None;
             if is_sum(instruction) && !self.goes_on[root] {
                 let (mut terms, inner) = self.terms(root as u32);
-                let model = models.get(&(root as u32)).map(|model| self.terms(*model).0);
+                let model = (models[root] != root as u32).then(|| self.terms(models[root]).0);
                 let order = order(model.as_deref().filter(|model| alike(model, &terms)).unwrap_or(&terms));
                 terms = order.into_iter().map(|at| terms[at]).collect();
                 let instructions = added_up(terms, inner.len() + 1);

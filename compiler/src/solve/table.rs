@@ -57,6 +57,8 @@ pub struct Numeric<'a> {
     table: &'a Table,
     lower: Vec<f64>,
     diagonal: Vec<f64>,
+    /// The next of each in the elimination's tree: the first row of L that has it.
+    next: Vec<Option<usize>>,
     /// d, by unknown.
     pub pivots: Vec<f64>,
     /// |d| / Σ |terms of d|, by unknown.
@@ -85,9 +87,11 @@ impl<'a> Numeric<'a> {
             }
         }
         let mut work = vec![0.0; n];
+        let mut next = vec![None; n];
         for k in 0..n {
             let start = table.row_start[k];
             let row = table.row(k);
+            row.iter().for_each(|j| _ = next[*j].get_or_insert(k));
             for (at, j) in row.iter().enumerate() {
                 work[*j] = lower[start + at];
             }
@@ -113,15 +117,27 @@ impl<'a> Numeric<'a> {
             relative_pivots[table.order[k]] = relative;
             diagonal[k] = if relative < DEPENDENT { 0.0 } else { pivot };
         }
-        Numeric { table, lower, diagonal, pivots, relative_pivots }
+        Numeric { table, lower, diagonal, next, pivots, relative_pivots }
     }
 
-    /// xᵀ K⁻¹ x.
-    pub fn inverse_square(&self, x: &[f64]) -> f64 {
+    /// xᵀ K⁻¹ x, of the entries of x that are not zero.
+    pub fn inverse_square(&self, x: impl IntoIterator<Item = (usize, f64)>) -> f64 {
         let table = self.table;
-        let mut y: Vec<f64> = table.order.iter().map(|unknown| x[*unknown]).collect();
+        let mut y = vec![0.0; table.order.len()];
+        // What these reach in the tree; all else of y is zero.
+        let (mut reached, mut known) = (Vec::new(), vec![false; y.len()]);
+        for (unknown, value) in x {
+            y[table.position[unknown]] = value;
+            let mut at = Some(table.position[unknown]);
+            while let Some(k) = at.filter(|k| !known[*k]) {
+                known[k] = true;
+                reached.push(k);
+                at = self.next[k];
+            }
+        }
+        reached.sort_unstable();
         let mut sum = 0.0;
-        for k in 0..y.len() {
+        for k in reached {
             for (at, j) in table.row(k).iter().enumerate() {
                 y[k] -= self.lower[table.row_start[k] + at] * y[*j];
             }

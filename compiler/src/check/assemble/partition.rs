@@ -88,7 +88,7 @@ struct Active {
 /// Management Science 3 (1957) 255–269, with threshold pivoting). Those to be spared only where nothing else is good.
 fn choose(
     rows: BTreeMap<usize, BTreeMap<usize, f64>>,
-    mut waiting: Vec<Vec<usize>>,
+    waiting: Vec<Vec<usize>>,
     scales: &[f64],
     spared: &BTreeSet<usize>,
 ) -> Partition {
@@ -98,14 +98,25 @@ fn choose(
     }
     let scales = scales.to_vec();
     let mut active = Active { rows, holders, scales: scales.clone() };
+    let of: BTreeMap<usize, usize> =
+        waiting.iter().enumerate().flat_map(|(at, rows)| rows.iter().map(move |row| (*row, at))).collect();
+    let mut lengths: Vec<usize> = waiting.iter().map(|rows| active.length(rows)).collect();
+    let mut queue: BTreeSet<(usize, usize)> = lengths.iter().copied().zip(0..).collect();
     let (mut blocks, mut operations) = (Vec::new(), 0);
-    while let Some(at) = (0..waiting.len()).min_by_key(|at| active.length(&waiting[*at])) {
-        let mut rows = waiting.remove(at);
+    while let Some((_, own)) = queue.pop_first() {
+        let mut rows = waiting[own].clone();
         let mut block = Vec::new();
         while let Some((row, velocity)) = active.next(&rows, spared) {
-            operations += active.eliminate(row, velocity);
+            let (cost, below) = active.eliminate(row, velocity);
+            operations += cost;
             rows.retain(|other| *other != row);
             block.push(Pivot { row, velocity });
+            for at in below.iter().map(|row| of[row]) {
+                if queue.remove(&(lengths[at], at)) {
+                    lengths[at] = active.length(&waiting[at]);
+                    queue.insert((lengths[at], at));
+                }
+            }
         }
         blocks.push(block);
     }
@@ -132,8 +143,8 @@ impl Active {
         best.map(|(column, _)| (*row, column))
     }
 
-    /// Takes a row and its pivot out; returns the operations.
-    fn eliminate(&mut self, row: usize, pivot: usize) -> usize {
+    /// Takes a row and its pivot out; returns the operations, and the rows that it was subtracted from.
+    fn eliminate(&mut self, row: usize, pivot: usize) -> (usize, BTreeSet<usize>) {
         let upper = self.rows.remove(&row).unwrap_or_default();
         for column in upper.keys() {
             self.holders[*column].remove(&row);
@@ -148,6 +159,6 @@ impl Active {
                 self.holders[*column].insert(*other);
             }
         }
-        upper.len() + below.len() * upper.len()
+        (upper.len() + below.len() * upper.len(), below)
     }
 }

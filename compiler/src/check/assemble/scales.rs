@@ -86,9 +86,8 @@ fn largest(
         }
         let factor = Numeric::factor(&table, matrix);
         for row in &rows {
-            let mut d = vec![0.0; n];
-            columns(*row).for_each(|(column, node)| d[*column] = point.get(*node));
-            let square = factor.inverse_square(&d);
+            let entries = columns(*row).map(|(column, node)| (*column, point.get(*node)));
+            let square = factor.inverse_square(entries);
             let known = found[*row].map_or(0.0, |known: Largest| known.square);
             if square.is_finite() && square > known {
                 found[*row] = Some(Largest { square, at });

@@ -267,7 +267,7 @@ impl Repetition<'_> {
 }
 
 /// What an instruction is computed with.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Unit {
     Alone(usize),
     Strand(u32),
@@ -281,8 +281,8 @@ struct Sequence<'a> {
     chains: Vec<Chain>,
     unit: Vec<Unit>,
     users: Vec<Vec<u32>>,
-    /// How many values that each unit takes from others are not there.
-    missing: BTreeMap<Unit, usize>,
+    /// How many values that each unit takes from others are not there, by [`slot`](Sequence::slot).
+    missing: Vec<usize>,
     ready: BinaryHeap<Reverse<usize>>,
     ready_strands: BTreeSet<u32>,
     ready_chains: BTreeSet<usize>,
@@ -309,9 +309,9 @@ impl<'a> Sequence<'a> {
         let mut sequence = Sequence {
             program,
             strands: &strands.strands,
+            missing: vec![0; count + strands.strands.len() + chains.len()],
             chains,
             users: vec![Vec::new(); count],
-            missing: unit.iter().map(|unit| (*unit, 0)).collect(),
             unit,
             ready: BinaryHeap::new(),
             ready_strands: BTreeSet::new(),
@@ -324,17 +324,28 @@ impl<'a> Sequence<'a> {
             let own = sequence.unit[instruction];
             for value in values(program, instruction) {
                 sequence.users[value].push(instruction as u32);
-                if sequence.unit[value] != own
-                    && let Some(missing) = sequence.missing.get_mut(&own)
-                {
-                    *missing += 1;
+                if sequence.unit[value] != own {
+                    let slot = sequence.slot(own);
+                    sequence.missing[slot] += 1;
                 }
             }
         }
-        let free: Vec<Unit> =
-            sequence.missing.iter().filter(|(_, missing)| **missing == 0).map(|(unit, _)| *unit).collect();
-        free.into_iter().for_each(|unit| sequence.is_ready(unit));
+        for instruction in 0..count {
+            let own = sequence.unit[instruction];
+            if sequence.missing[sequence.slot(own)] == 0 {
+                sequence.is_ready(own);
+            }
+        }
         sequence
+    }
+
+    /// Instructions, then strands, then chains.
+    fn slot(&self, unit: Unit) -> usize {
+        match unit {
+            Unit::Alone(instruction) => instruction,
+            Unit::Strand(strand) => self.unit.len() + strand as usize,
+            Unit::Chain(chain) => self.unit.len() + self.strands.len() + chain,
+        }
     }
 
     fn is_ready(&mut self, unit: Unit) {
@@ -376,11 +387,10 @@ impl<'a> Sequence<'a> {
                 if unit == own || self.done[user as usize] {
                     continue;
                 }
-                if let Some(missing) = self.missing.get_mut(&unit) {
-                    *missing -= 1;
-                    if *missing == 0 {
-                        self.is_ready(unit);
-                    }
+                let slot = self.slot(unit);
+                self.missing[slot] -= 1;
+                if self.missing[slot] == 0 {
+                    self.is_ready(unit);
                 }
             }
         }
@@ -393,7 +403,7 @@ impl<'a> Sequence<'a> {
         }
         for member in members {
             let missing = values(self.program, *member).filter(|value| !self.done[*value]).count();
-            self.missing.insert(Unit::Alone(*member), missing);
+            self.missing[*member] = missing;
             if missing == 0 {
                 self.ready.push(Reverse(*member));
             }

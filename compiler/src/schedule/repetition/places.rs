@@ -14,24 +14,35 @@ pub struct Place {
     pub at: i64,
 }
 
-/// The places of those entries of arguments that have one.
+impl Place {
+    /// The same where only every so manieth is alike.
+    pub fn every(self, period: u32) -> Place {
+        Place {
+            family: self.family * period + self.at.rem_euclid(i64::from(period)) as u32,
+            at: self.at.div_euclid(i64::from(period)),
+        }
+    }
+}
+
+/// The places of those entries of arguments that have one, by argument and index.
 #[derive(Clone, Debug, Default)]
 pub struct Places {
-    of: BTreeMap<Source, Place>,
+    of: Vec<Vec<Option<Place>>>,
+    count: usize,
 }
 
 impl Places {
     pub fn get(&self, source: Source) -> Option<Place> {
-        self.of.get(&source).copied()
+        *self.of.get(source.argument as usize)?.get(source.index as usize)?
     }
 
-    /// The same where only every so manieth is alike.
-    pub fn every(&self, period: u32) -> Places {
-        let apart = |place: &Place| Place {
-            family: place.family * period + place.at.rem_euclid(i64::from(period)) as u32,
-            at: place.at.div_euclid(i64::from(period)),
-        };
-        Places { of: self.of.iter().map(|(source, place)| (*source, apart(place))).collect() }
+    fn set(&mut self, source: Source, place: Place) {
+        let (argument, index) = (source.argument as usize, source.index as usize);
+        self.of.resize(self.of.len().max(argument + 1), Vec::new());
+        let own = &mut self.of[argument];
+        own.resize(own.len().max(index + 1), None);
+        own[index] = Some(place);
+        self.count += 1;
     }
 
     /// By the names in the equations. Of several numbers in a name that one counts which gives most entries a place.
@@ -39,7 +50,7 @@ impl Places {
         let named = named(complete);
         let most = named.iter().map(|(_, name)| numbers(name).count()).max().unwrap_or(0);
         let all = (0..most).map(|which| by_number(&named, which));
-        all.rev().max_by_key(|places| places.of.len()).unwrap_or_default()
+        all.rev().max_by_key(|places| places.count).unwrap_or_default()
     }
 }
 
@@ -87,7 +98,7 @@ fn by_number(named: &[(Source, String)], which: usize) -> Places {
             let (own, others) = rest.split_at(regular(rest));
             rest = others;
             if own.len() >= FEWEST_ROUNDS {
-                places.of.extend(own.iter().map(|(at, source)| (*source, Place { family, at: *at })));
+                own.iter().for_each(|(at, source)| places.set(*source, Place { family, at: *at }));
             }
             family += 1;
         }

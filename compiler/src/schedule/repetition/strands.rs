@@ -110,12 +110,12 @@ struct Operation {
 }
 
 impl Operation {
-    fn of(instruction: &Instruction, places: &Places) -> Operation {
+    fn of(instruction: &Instruction, places: &Places, period: u32) -> Operation {
         let mut operands = [None; 3];
         operands.iter_mut().zip(instruction.operands()).for_each(|(own, operand)| *own = Some(operand));
         let taken = |operand| match operand {
             Operand::Constant(value) => Taken::Number(value.to_bits()),
-            Operand::Source(source) => match places.get(source) {
+            Operand::Source(source) => match places.get(source).map(|place| place.every(period)) {
                 Some(Place { family, at }) => Taken::Family(u64::from(family), at),
                 None => Taken::Fixed(u64::from(source.index) << 32 | source.argument as u64),
             },
@@ -168,25 +168,60 @@ impl Operation {
 
 /// Those that are alike and in no strand, where they follow one another.
 fn alike(forms: &[Form], free: &[u32], any_numbers: bool) -> Vec<Strand> {
-    let mut groups: HashMap<u64, Vec<(i64, u32)>, FastHash> = HashMap::default();
-    for index in free {
-        if let (form, Some(at)) = forms[*index as usize] {
-            groups.entry(form).or_default().push((at, *index));
-        }
-    }
-    let mut groups: Vec<Vec<(i64, u32)>> =
-        groups.into_values().filter(|group| group.len() >= FEWEST_ROUNDS).collect();
-    // The order of a hash table is not that of anything.
-    groups.sort_unstable_by_key(|group| group[0].1);
     let mut strands = Vec::new();
-    for mut group in groups {
-        group.sort_unstable();
+    for mut group in groups(forms, free) {
+        if !group.is_sorted() {
+            group.sort_unstable();
+        }
         group.dedup_by_key(|(at, _)| *at);
         let runs = group.chunk_by(|one, next| next.0 == one.0 + 1).filter(|run| run.len() >= FEWEST_ROUNDS);
         let members = |run: &[(i64, u32)]| run.iter().map(|(_, index)| *index).collect();
         strands.extend(runs.map(|run| Strand { first: run[0].0, members: members(run), any_numbers }));
     }
     strands
+}
+
+/// Those of one form that have numbers, with these, where there are enough of them; the groups in the order of their first members.
+fn groups(forms: &[Form], free: &[u32]) -> Vec<Vec<(i64, u32)>> {
+    // A table of its own, with open addresses, and loops over indices: as in `form`, this is run unoptimised.
+    let size = (2 * free.len()).next_power_of_two();
+    const NEW: usize = usize::MAX;
+    let mut slots = vec![NEW; size];
+    let (mut known, mut counts) = (Vec::new(), Vec::new());
+    let mut class = Vec::with_capacity(free.len());
+    let mut index = 0;
+    while index < free.len() {
+        let (form, at) = forms[free[index] as usize];
+        index += 1;
+        if at.is_none() {
+            class.push(NEW);
+            continue;
+        }
+        let mut slot = form as usize & (size - 1);
+        while slots[slot] != NEW && known[slots[slot]] != form {
+            slot = (slot + 1) & (size - 1);
+        }
+        if slots[slot] == NEW {
+            slots[slot] = known.len();
+            known.push(form);
+            counts.push(0_usize);
+        }
+        counts[slots[slot]] += 1;
+        class.push(slots[slot]);
+    }
+    let is_long = |count: &usize| *count >= FEWEST_ROUNDS;
+    let room = |count: &usize| Vec::with_capacity(if is_long(count) { *count } else { 0 });
+    let mut groups: Vec<Vec<(i64, u32)>> = counts.iter().map(room).collect();
+    index = 0;
+    while index < free.len() {
+        let own = class[index];
+        if own != NEW && is_long(&counts[own]) {
+            groups[own].push((forms[free[index] as usize].1.unwrap_or(0), free[index]));
+        }
+        index += 1;
+    }
+    groups.retain(|group| !group.is_empty());
+    groups
 }
 
 /// What an operand is, as far as it has to be the same for all members of a strand.
@@ -208,8 +243,8 @@ type Beyond = HashMap<(u32, i64), Operand, FastHash>;
 impl Strands {
     fn none(program: &Program, places: &Places, period: u32) -> Strands {
         let of = vec![None; program.instructions.len()];
-        let places = places.every(period);
-        let operations = program.instructions.iter().map(|one| Operation::of(one, &places)).collect();
+        let operation = |one: &Instruction| Operation::of(one, places, period);
+        let operations = program.instructions.iter().map(operation).collect();
         Strands { operations, of, period, ..Strands::default() }
     }
 
