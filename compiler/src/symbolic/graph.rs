@@ -2,10 +2,10 @@
 //! all outputs; constructors fold constants and bring signs and coefficients into one form, so that expressions
 //! that are equal up to sign meet. Nothing is ever expanded.
 
-use super::hash::FastHash;
+use super::hash::{FastHash, Known};
 use super::rounding::Roundings;
 use super::{Compare, Orders, Table, Unary};
-use std::collections::HashMap;
+use std::hash::BuildHasher;
 use std::sync::Arc;
 
 /// A node of a [`Graph`].
@@ -91,7 +91,7 @@ pub struct Graph {
     ops: Vec<Op>,
     classes: Vec<Class>,
     symbols: Vec<(String, Class)>,
-    known: HashMap<Op, Node, FastHash>,
+    known: Known,
     /// Asked for at every turn.
     zero: Option<Node>,
     tables: Vec<Arc<Table>>,
@@ -161,7 +161,7 @@ impl Graph {
 
     /// The constant, if it stands on the graph.
     pub(super) fn known_constant(&self, value: f64) -> Option<Node> {
-        self.known.get(&Op::Constant(value.to_bits())).copied()
+        self.find(&Op::Constant(value.to_bits()))
     }
 
     /// The node of a symbol.
@@ -296,8 +296,7 @@ impl Graph {
             }
         }
         // a − b is −(b − a), if that is known already.
-        if let Some(known) = self.known.get(&Op::Sub(b, a)) {
-            let known = *known;
+        if let Some(known) = self.find(&Op::Sub(b, a)) {
             return self.intern(Op::Neg(known));
         }
         self.intern(Op::Sub(a, b))
@@ -594,18 +593,22 @@ impl Graph {
         self.intern(op(a, b))
     }
 
+    fn find(&self, op: &Op) -> Option<Node> {
+        let is_same = |number: u32| self.ops[number as usize] == *op;
+        self.known.get(FastHash::default().hash_one(op), is_same).map(Node)
+    }
+
     fn intern(&mut self, op: Op) -> Node {
-        if let Some(node) = self.known.get(&op) {
-            return *node;
+        let hash = FastHash::default().hash_one(op);
+        if let Some(number) = self.known.get(hash, |number| self.ops[number as usize] == op) {
+            return Node(number);
         }
         let class = match op {
             Op::Symbol(symbol) => self.symbols[symbol as usize].1,
             _ => op.operands().map(|node| self.class(node)).max().unwrap_or(Class::Constant),
         };
-        let node = Node(self.ops.len() as u32);
         self.ops.push(op);
         self.classes.push(class);
-        self.known.insert(op, node);
-        node
+        Node(self.known.add(hash))
     }
 }

@@ -16,7 +16,7 @@ pub use counts::Counts;
 pub use derivative::Gradient;
 pub use evaluate::{evaluate, evaluate_reachable, evaluate_with};
 pub use graph::{Class, Graph, Node, Op};
-pub use hash::{FastHash, mix};
+pub use hash::{FastHash, Known, mix};
 pub use operation::{Compare, Unary, max, min};
 pub use rounding::{of_patch, of_piece, of_quotient, passed_on};
 pub use sheet::{Bare, Growing, On, Scalar, Sheet, all_bare};

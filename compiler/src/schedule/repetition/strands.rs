@@ -8,7 +8,7 @@
 use super::FEWEST_ROUNDS;
 use super::places::{Place, Places};
 use crate::schedule::{Instruction, Operand, Program};
-use crate::symbolic::{FastHash, mix};
+use crate::symbolic::{FastHash, Known, mix};
 use std::collections::HashMap;
 use std::hash::{BuildHasher, Hash, Hasher};
 use std::rc::Rc;
@@ -183,31 +183,25 @@ fn alike(forms: &[Form], free: &[u32], any_numbers: bool) -> Vec<Strand> {
 
 /// Those of one form that have numbers, with these, where there are enough of them; the groups in the order of their first members.
 fn groups(forms: &[Form], free: &[u32]) -> Vec<Vec<(i64, u32)>> {
-    // A table of its own, with open addresses, and loops over indices: as in `form`, this is run unoptimised.
-    let size = (2 * free.len()).next_power_of_two();
-    const NEW: usize = usize::MAX;
-    let mut slots = vec![NEW; size];
-    let (mut known, mut counts) = (Vec::new(), Vec::new());
+    const NONE: usize = usize::MAX;
+    let (mut known, mut of, mut counts) = (Known::default(), Vec::new(), Vec::new());
     let mut class = Vec::with_capacity(free.len());
+    // Loops over indices, as in `form`.
     let mut index = 0;
     while index < free.len() {
         let (form, at) = forms[free[index] as usize];
         index += 1;
         if at.is_none() {
-            class.push(NEW);
+            class.push(NONE);
             continue;
         }
-        let mut slot = form as usize & (size - 1);
-        while slots[slot] != NEW && known[slots[slot]] != form {
-            slot = (slot + 1) & (size - 1);
-        }
-        if slots[slot] == NEW {
-            slots[slot] = known.len();
-            known.push(form);
+        let own = known.get(form, |number| of[number as usize] == form).unwrap_or_else(|| {
+            of.push(form);
             counts.push(0_usize);
-        }
-        counts[slots[slot]] += 1;
-        class.push(slots[slot]);
+            known.add(form)
+        }) as usize;
+        counts[own] += 1;
+        class.push(own);
     }
     let is_long = |count: &usize| *count >= FEWEST_ROUNDS;
     let room = |count: &usize| Vec::with_capacity(if is_long(count) { *count } else { 0 });
@@ -215,7 +209,7 @@ fn groups(forms: &[Form], free: &[u32]) -> Vec<Vec<(i64, u32)>> {
     index = 0;
     while index < free.len() {
         let own = class[index];
-        if own != NEW && is_long(&counts[own]) {
+        if own != NONE && is_long(&counts[own]) {
             groups[own].push((forms[free[index] as usize].1.unwrap_or(0), free[index]));
         }
         index += 1;
