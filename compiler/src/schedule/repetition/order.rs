@@ -137,17 +137,29 @@ impl Repetition<'_> {
 
     /// Strands, and instructions between them, that depend on one another or on themselves (Tarjan 1972).
     fn circles(&self) -> Vec<Vec<usize>> {
-        let count = self.strands.strands.len() + self.program.instructions.len();
-        let mut successors: Vec<Vec<usize>> = vec![Vec::new(); count];
-        for instruction in 0..self.program.instructions.len() {
-            let own = self.node(instruction);
-            successors[own].extend(values(self.program, instruction).map(|value| self.node(value)));
-        }
-        for successors in successors.iter_mut().take(self.strands.strands.len()) {
-            successors.sort_unstable();
-            successors.dedup();
-        }
+        let (strands, instructions) = (self.strands.strands.len(), self.program.instructions.len());
+        let count = strands + instructions;
         const NEW: usize = usize::MAX;
+        // The node that was last seen to take each.
+        let mut taken_by = vec![NEW; count];
+        let mut successors: Vec<Vec<usize>> = vec![Vec::new(); count];
+        let mut take = |own: usize, instruction: usize| {
+            for value in values(self.program, instruction) {
+                let other = self.node(value);
+                if taken_by[other] != own {
+                    taken_by[other] = own;
+                    successors[own].push(other);
+                }
+            }
+        };
+        for (own, strand) in self.strands.strands.iter().enumerate() {
+            strand.members.iter().for_each(|member| take(own, *member as usize));
+        }
+        for instruction in 0..instructions {
+            if self.strands.of[instruction].is_none() {
+                take(strands + instruction, instruction);
+            }
+        }
         let (mut number, mut low) = (vec![NEW; count], vec![0; count]);
         let mut on_stack = vec![false; count];
         let (mut stack, mut found, mut next) = (Vec::new(), Vec::new(), 0);

@@ -49,19 +49,20 @@ pub struct Strands {
 /// How many alike parts may alternate, as signs do along some chains.
 const PERIODS: u32 = 2;
 
+/// To how many levels what alternates is compared with what does not.
+const FIRST_LEVELS: usize = 2;
+
 /// The strands of a program.
 pub fn find(program: &Program, places: &Places) -> Strands {
     let with = |period: u32| {
         let strands = Strands::none(program, places, period);
-        let alike = strands.alike();
-        (strands, alike)
+        let alike = strands.alike(FIRST_LEVELS);
+        // The shortest text: what is in no strand, and each strand once.
+        let text = strands.of.len() - members(&alike) + alike.len();
+        (text, strands)
     };
-    // The shortest text: what is in no strand, and each strand once.
-    let text = |(strands, alike): &(Strands, Vec<Strand>)| strands.of.len() - members(alike) + alike.len();
-    let Some((mut strands, alike)) = (1..=PERIODS).map(with).min_by_key(text) else {
-        return Strands::default();
-    };
-    strands.grow(alike);
+    let of_periods = (1..=PERIODS).map(with).min_by_key(|(text, _)| *text);
+    let Some((_, mut strands)) = of_periods else { return Strands::default() };
     strands.find_all();
     strands
 }
@@ -251,9 +252,9 @@ impl Strands {
 
     /// What is found tells apart what was not.
     fn find_all(&mut self) {
-        while self.grow(self.alike()) {}
+        while self.grow(self.alike(LEVELS)) {}
         self.any_numbers = true;
-        while self.grow(self.alike()) {}
+        while self.grow(self.alike(LEVELS)) {}
     }
 
     /// The members of each.
@@ -268,7 +269,7 @@ impl Strands {
 
     /// What is alike to some levels, at those levels at which most is. Fewer do not tell apart what differs, and of chains they leave what is
     /// farther from arguments; more of them lose the ends.
-    fn alike(&self) -> Vec<Strand> {
+    fn alike(&self, levels: usize) -> Vec<Strand> {
         let free: Vec<u32> = (0..self.of.len() as u32).filter(|at| self.of[*at as usize].is_none()).collect();
         let start = |(operation, member): (&Operation, &Member)| match member {
             Some((strand, at)) => (u64::from(*strand), Some(*at)),
@@ -276,7 +277,7 @@ impl Strands {
         };
         let mut forms: Vec<Form> = self.operations.iter().zip(&self.of).map(start).collect();
         let (mut best, mut most) = (Vec::new(), 0);
-        for _ in 0..LEVELS {
+        for _ in 0..levels {
             let next = |at: &u32| self.operations[*at as usize].form(&forms, self.any_numbers);
             let next: Vec<Form> = free.iter().map(next).collect();
             free.iter().zip(next).for_each(|(at, form)| forms[*at as usize] = form);
