@@ -3,7 +3,7 @@
 use super::repetition::Rolled;
 use super::sections::Section;
 use crate::functions::Argument;
-use crate::symbolic::{Compare, Orders, Table, Unary};
+use crate::symbolic::{Compare, Few, Orders, Table, Unary};
 use std::sync::Arc;
 
 /// Where a value that a program does not compute comes from: an entry of an argument.
@@ -51,12 +51,13 @@ pub enum Instruction {
 }
 
 impl Instruction {
-    pub fn operands(&self) -> impl Iterator<Item = Operand> {
-        let (a, b, c) = match *self {
+    /// Operands in order.
+    pub fn operands(&self) -> Few<Operand> {
+        match *self {
             Instruction::Neg(a)
             | Instruction::Unary(_, a)
             | Instruction::Not(a)
-            | Instruction::Cell(_, a) => (a, None, None),
+            | Instruction::Cell(_, a) => Few::new([a; 3], 1),
             Instruction::Add(a, b)
             | Instruction::Sub(a, b)
             | Instruction::Mul(a, b)
@@ -67,12 +68,11 @@ impl Instruction {
             | Instruction::Compare(_, a, b)
             | Instruction::And(a, b)
             | Instruction::Or(a, b)
-            | Instruction::Piece(_, _, a, b) => (a, Some(b), None),
+            | Instruction::Piece(_, _, a, b) => Few::new([a, b, b], 2),
             Instruction::MulAdd(a, b, c, ..)
             | Instruction::Select(a, b, c)
-            | Instruction::Patch(_, _, a, b, c) => (a, Some(b), Some(c)),
-        };
-        std::iter::once(a).chain(b).chain(c)
+            | Instruction::Patch(_, _, a, b, c) => Few::new([a, b, c], 3),
+        }
     }
 
     /// The same operation on other operands.

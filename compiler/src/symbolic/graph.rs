@@ -2,6 +2,7 @@
 //! all outputs; constructors fold constants and bring signs and coefficients into one form, so that expressions
 //! that are equal up to sign meet. Nothing is ever expanded.
 
+use super::few::Few;
 use super::hash::{FastHash, Known};
 use super::rounding::Roundings;
 use super::{Compare, Orders, Table, Unary};
@@ -64,10 +65,10 @@ pub enum Op {
 
 impl Op {
     /// Operands in order.
-    pub fn operands(self) -> impl Iterator<Item = Node> {
-        let (a, b, c) = match self {
-            Op::Constant(_) | Op::Symbol(_) => (None, None, None),
-            Op::Neg(a) | Op::Unary(_, a) | Op::Not(a) | Op::Cell(_, a) => (Some(a), None, None),
+    pub fn operands(self) -> Few<Node> {
+        match self {
+            Op::Constant(_) | Op::Symbol(_) => Few::new([Node(0); 3], 0),
+            Op::Neg(a) | Op::Unary(_, a) | Op::Not(a) | Op::Cell(_, a) => Few::new([a; 3], 1),
             Op::Add(a, b)
             | Op::Sub(a, b)
             | Op::Mul(a, b)
@@ -78,10 +79,9 @@ impl Op {
             | Op::Compare(_, a, b)
             | Op::And(a, b)
             | Op::Or(a, b)
-            | Op::Piece(_, _, a, b) => (Some(a), Some(b), None),
-            Op::Select(a, b, c) | Op::Patch(_, _, a, b, c) => (Some(a), Some(b), Some(c)),
-        };
-        a.into_iter().chain(b).chain(c)
+            | Op::Piece(_, _, a, b) => Few::new([a, b, b], 2),
+            Op::Select(a, b, c) | Op::Patch(_, _, a, b, c) => Few::new([a, b, c], 3),
+        }
     }
 }
 

@@ -4,6 +4,7 @@
 mod counts;
 mod derivative;
 mod evaluate;
+mod few;
 mod graph;
 mod hash;
 mod operation;
@@ -15,6 +16,7 @@ mod table;
 pub use counts::Counts;
 pub use derivative::Gradient;
 pub use evaluate::{evaluate, evaluate_reachable, evaluate_with};
+pub use few::Few;
 pub use graph::{Class, Graph, Node, Op};
 pub use hash::{FastHash, Known, mix};
 pub use operation::{Compare, Unary, max, min};

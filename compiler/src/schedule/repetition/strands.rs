@@ -112,17 +112,19 @@ struct Operation {
 
 impl Operation {
     fn of(instruction: &Instruction, places: &Places, period: u32) -> Operation {
-        let mut operands = [None; 3];
-        operands.iter_mut().zip(instruction.operands()).for_each(|(own, operand)| *own = Some(operand));
-        let taken = |operand| match operand {
-            Operand::Constant(value) => Taken::Number(value.to_bits()),
-            Operand::Source(source) => match places.get(source).map(|place| place.every(period)) {
-                Some(Place { family, at }) => Taken::Family(u64::from(family), at),
-                None => Taken::Fixed(u64::from(source.index) << 32 | source.argument as u64),
-            },
-            Operand::Value(value) => Taken::Value(value),
-        };
-        Operation { kind: kind(instruction), operands, taken: operands.map(|own| own.map(taken)) }
+        let mut operation = Operation { kind: kind(instruction), operands: [None; 3], taken: [None; 3] };
+        for (index, operand) in instruction.operands().enumerate() {
+            operation.operands[index] = Some(operand);
+            operation.taken[index] = Some(match operand {
+                Operand::Constant(value) => Taken::Number(value.to_bits()),
+                Operand::Source(source) => match places.get(source).map(|place| place.every(period)) {
+                    Some(Place { family, at }) => Taken::Family(u64::from(family), at),
+                    None => Taken::Fixed(u64::from(source.index) << 32 | source.argument as u64),
+                },
+                Operand::Value(value) => Taken::Value(value),
+            });
+        }
+        operation
     }
 
     /// The form by the forms of what is taken.
@@ -171,13 +173,28 @@ impl Operation {
 fn alike(forms: &[Form], free: &[u32], any_numbers: bool) -> Vec<Strand> {
     let mut strands = Vec::new();
     for mut group in groups(forms, free) {
-        if !group.is_sorted() {
-            group.sort_unstable();
+        // Most come in order; loops over indices as in `form`.
+        let mut index = 1;
+        while index < group.len() && group[index].0 > group[index - 1].0 {
+            index += 1;
         }
-        group.dedup_by_key(|(at, _)| *at);
-        let runs = group.chunk_by(|one, next| next.0 == one.0 + 1).filter(|run| run.len() >= FEWEST_ROUNDS);
-        let members = |run: &[(i64, u32)]| run.iter().map(|(_, index)| *index).collect();
-        strands.extend(runs.map(|run| Strand { first: run[0].0, members: members(run), any_numbers }));
+        if index < group.len() {
+            group.sort_unstable();
+            group.dedup_by_key(|(at, _)| *at);
+        }
+        let mut start = 0;
+        index = 1;
+        while index <= group.len() {
+            if index == group.len() || group[index].0 != group[index - 1].0 + 1 {
+                let run = &group[start..index];
+                if run.len() >= FEWEST_ROUNDS {
+                    let members = run.iter().map(|(_, member)| *member).collect();
+                    strands.push(Strand { first: run[0].0, members, any_numbers });
+                }
+                start = index;
+            }
+            index += 1;
+        }
     }
     strands
 }
