@@ -5,13 +5,11 @@
 
 use std::collections::BTreeSet;
 
-/// Structure of K: for each unknown the set of its neighbours, one bit each.
+/// Structure of K: for each unknown its neighbours, ascending.
 #[derive(Clone, Debug)]
 pub struct Pattern {
     pub velocities: usize,
-    unknowns: usize,
-    words: usize,
-    bits: Vec<u64>,
+    rows: Vec<Vec<u32>>,
 }
 
 /// How ties and choices are made.
@@ -42,80 +40,92 @@ pub struct Order {
 
 impl Pattern {
     pub fn new(velocities: usize, rows: usize, entries: impl IntoIterator<Item = (usize, usize)>) -> Self {
-        let unknowns = velocities + rows;
-        let words = unknowns.div_ceil(64);
-        let mut pattern = Pattern { velocities, unknowns, words, bits: vec![0; words * unknowns] };
-        for (a, b) in entries {
-            if a != b {
-                pattern.bits[a * words + b / 64] |= 1 << (b % 64);
-                pattern.bits[b * words + a / 64] |= 1 << (a % 64);
-            }
+        let mut pattern = Pattern { velocities, rows: vec![Vec::new(); velocities + rows] };
+        for (a, b) in entries.into_iter().filter(|(a, b)| a != b) {
+            pattern.rows[a].push(b as u32);
+            pattern.rows[b].push(a as u32);
+        }
+        for row in &mut pattern.rows {
+            row.sort_unstable();
+            row.dedup();
         }
         pattern
     }
 
-    fn row(&self, unknown: usize) -> &[u64] {
-        &self.bits[unknown * self.words..(unknown + 1) * self.words]
-    }
-
     fn degree(&self, unknown: usize) -> usize {
-        self.row(unknown).iter().map(|word| word.count_ones() as usize).sum()
+        self.rows[unknown].len()
     }
 
     /// Whether a velocity is among the neighbours.
     fn touches_velocity(&self, unknown: usize) -> bool {
-        let first = self.row(unknown).iter().enumerate().find(|(_, word)| **word != 0);
-        first.is_some_and(|(at, word)| at * 64 + (word.trailing_zeros() as usize) < self.velocities)
+        self.rows[unknown].first().is_some_and(|first| (*first as usize) < self.velocities)
     }
 
     /// Removes an unknown and joins its neighbours; gives them, ascending.
     pub(super) fn eliminate(&mut self, pivot: usize) -> Vec<usize> {
-        let clique = self.row(pivot).to_vec();
-        let around = members(&clique);
-        for a in &around {
-            let start = a * self.words;
-            for (own, word) in self.bits[start..start + self.words].iter_mut().zip(&clique) {
-                *own |= word;
-            }
-            self.bits[start + a / 64] &= !(1 << (a % 64));
-            self.bits[start + pivot / 64] &= !(1 << (pivot % 64));
+        let clique = std::mem::take(&mut self.rows[pivot]);
+        for a in &clique {
+            let own = &mut self.rows[*a as usize];
+            *own = joined(own, &clique, [*a, pivot as u32]);
         }
-        around
+        clique.into_iter().map(|a| a as usize).collect()
     }
 
     /// Removes an unknown that is known otherwise.
     pub(super) fn remove(&mut self, unknown: usize) {
-        for a in members(self.row(unknown)) {
-            self.bits[a * self.words + unknown / 64] &= !(1 << (unknown % 64));
+        for a in std::mem::take(&mut self.rows[unknown]) {
+            self.rows[a as usize].retain(|other| *other as usize != unknown);
         }
-        self.bits[unknown * self.words..(unknown + 1) * self.words].fill(0);
     }
 
     /// Pairs of neighbours that are not neighbours of each other.
     fn fill(&self, unknown: usize) -> usize {
-        let own = self.row(unknown);
-        let around = members(own);
-        let mut missing = 0;
-        for a in &around {
-            let row = self.row(*a);
-            missing +=
-                own.iter().zip(row).map(|(own, row)| (own & !row).count_ones() as usize).sum::<usize>();
-        }
+        let around = &self.rows[unknown];
+        let missing: usize = around.iter().map(|a| missing(around, &self.rows[*a as usize])).sum();
         // Each pair was met twice, and each neighbour misses itself.
         (missing - around.len()) / 2
     }
 }
 
-fn members(row: &[u64]) -> Vec<usize> {
-    let mut members = Vec::new();
-    for (at, word) in row.iter().enumerate() {
-        let mut rest = *word;
-        while rest != 0 {
-            members.push(at * 64 + rest.trailing_zeros() as usize);
-            rest &= rest - 1;
+/// What is in either, ascending, without these two. Loops over indices: this runs unoptimised in compilers of user crates.
+fn joined(one: &[u32], other: &[u32], without: [u32; 2]) -> Vec<u32> {
+    let mut all = Vec::with_capacity(one.len() + other.len());
+    let (mut i, mut j) = (0, 0);
+    while i < one.len() || j < other.len() {
+        let next = match (one.get(i), other.get(j)) {
+            (Some(a), Some(b)) if a == b => {
+                j += 1;
+                i += 1;
+                *a
+            }
+            (Some(a), b) if b.is_none_or(|b| a < b) => {
+                i += 1;
+                *a
+            }
+            _ => {
+                j += 1;
+                other[j - 1]
+            }
+        };
+        if next != without[0] && next != without[1] {
+            all.push(next);
         }
     }
-    members
+    all
+}
+
+/// How many of the one are not in the other, both ascending.
+fn missing(one: &[u32], other: &[u32]) -> usize {
+    let (mut j, mut missing) = (0, 0);
+    for a in one {
+        while j < other.len() && other[j] < *a {
+            j += 1;
+        }
+        if other.get(j) != Some(a) {
+            missing += 1;
+        }
+    }
+    missing
 }
 
 /// The cheapest of all strategies.
@@ -131,7 +141,7 @@ pub fn best(pattern: &Pattern) -> Order {
 type Key = (bool, usize, usize, usize, usize);
 
 pub fn order(pattern: &Pattern, strategy: Strategy) -> Order {
-    let n = pattern.unknowns;
+    let n = pattern.rows.len();
     let mut pattern = pattern.clone();
     let mut depth = vec![0usize; n];
     let key = |pattern: &Pattern, depth: &[usize], unknown: usize| -> Key {
