@@ -54,8 +54,9 @@ const FIRST_LEVELS: usize = 2;
 
 /// The strands of a program.
 pub fn find(program: &Program, places: &Places) -> Strands {
+    let operations = Operation::all(program, places);
     let with = |period: u32| {
-        let strands = Strands::none(program, places, period);
+        let strands = Strands::none(&operations, period);
         let alike = strands.alike(FIRST_LEVELS);
         // The shortest text: what is in no strand, and each strand once.
         let text = strands.of.len() - members(&alike) + alike.len();
@@ -98,7 +99,7 @@ enum Taken {
     Fixed(u64),
     Number(u64),
     /// The entry of a family at a number.
-    Family(u64, i64),
+    Family(Place),
     Value(u32),
 }
 
@@ -111,14 +112,30 @@ struct Operation {
 }
 
 impl Operation {
-    fn of(instruction: &Instruction, places: &Places, period: u32) -> Operation {
+    /// Those of a program.
+    fn all(program: &Program, places: &Places) -> Vec<Operation> {
+        program.instructions.iter().map(|instruction| Operation::of(instruction, places)).collect()
+    }
+
+    /// The same where only every so manieth place is alike.
+    fn every(&mut self, period: u32) {
+        let mut index = 0;
+        while index < 3 {
+            if let Some(Taken::Family(place)) = &mut self.taken[index] {
+                *place = place.every(period);
+            }
+            index += 1;
+        }
+    }
+
+    fn of(instruction: &Instruction, places: &Places) -> Operation {
         let mut operation = Operation { kind: kind(instruction), operands: [None; 3], taken: [None; 3] };
         for (index, operand) in instruction.operands().enumerate() {
             operation.operands[index] = Some(operand);
             operation.taken[index] = Some(match operand {
                 Operand::Constant(value) => Taken::Number(value.to_bits()),
-                Operand::Source(source) => match places.get(source).map(|place| place.every(period)) {
-                    Some(Place { family, at }) => Taken::Family(u64::from(family), at),
+                Operand::Source(source) => match places.get(source) {
+                    Some(place) => Taken::Family(place),
                     None => Taken::Fixed(u64::from(source.index) << 32 | source.argument as u64),
                 },
                 Operand::Value(value) => Taken::Value(value),
@@ -139,7 +156,7 @@ impl Operation {
                 Taken::Number(_) if any_numbers => (1, 0, None),
                 Taken::Number(bits) => (1, bits, None),
                 Taken::Fixed(of) => (2, of, None),
-                Taken::Family(family, at) => (3, family, Some(at)),
+                Taken::Family(place) => (3, u64::from(place.family), Some(place.at)),
                 Taken::Value(value) => {
                     let (form, at) = forms[value as usize];
                     (4, form, at)
@@ -242,7 +259,7 @@ enum Key {
     /// A number, an entry or a value that are the same for the neighbour.
     Same(Operand),
     /// The entry of a family so far on.
-    Family(u64, i64),
+    Family(u32, i64),
     /// The member of a strand so far on.
     Strand(u32, i64),
     /// Any number.
@@ -253,16 +270,16 @@ enum Key {
 type Beyond = HashMap<(u32, i64), Operand, FastHash>;
 
 impl Strands {
-    fn none(program: &Program, places: &Places, period: u32) -> Strands {
-        let of = vec![None; program.instructions.len()];
-        let operation = |one: &Instruction| Operation::of(one, places, period);
-        let operations = program.instructions.iter().map(operation).collect();
-        Strands { operations, of, period, ..Strands::default() }
+    fn none(operations: &[Operation], period: u32) -> Strands {
+        let of = vec![None; operations.len()];
+        let mut operations = operations.to_vec();
+        operations.iter_mut().filter(|_| period > 1).for_each(|operation| operation.every(period));
+        Strands { operations: operations.into(), of, period, ..Strands::default() }
     }
 
     /// Those of another program, with as many parts that alternate.
     pub fn anew(&self, program: &Program, places: &Places) -> Strands {
-        let mut strands = Strands::none(program, places, self.period);
+        let mut strands = Strands::none(&Operation::all(program, places), self.period);
         strands.find_all();
         strands
     }
@@ -421,7 +438,7 @@ impl View<'_> {
 
     fn key(&self, operand: Operand, taken: Option<Taken>, at: i64) -> Key {
         match taken {
-            Some(Taken::Family(family, there)) => Key::Family(family, there - at),
+            Some(Taken::Family(place)) => Key::Family(place.family, place.at - at),
             Some(Taken::Value(value)) => match self.old.of[value as usize] {
                 Some((strand, there)) => Key::Strand(strand, there - at),
                 None => Key::Same(operand),
