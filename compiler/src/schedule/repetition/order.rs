@@ -18,6 +18,9 @@ pub fn order(program: &Program, strands: Strands) -> Option<(Vec<usize>, Vec<Loo
     Sequence::new(&repetition, chains).run()
 }
 
+/// Rounds that wait for one another cost more than rounds that do not: of fewer there is no loop.
+const FEWEST_IN_CHAINS: usize = 10;
+
 struct Repetition<'a> {
     program: &'a Program,
     strands: Strands,
@@ -260,7 +263,7 @@ impl Repetition<'_> {
                 Some((group[at] as u32, usize::try_from(number - strand.first).ok()?))
             };
             let strands = (0..group.len()).map(first).collect::<Option<Vec<_>>>()?;
-            (rounds >= FEWEST_ROUNDS).then_some(Chain { strands, rounds, upwards })
+            (rounds >= FEWEST_IN_CHAINS).then_some(Chain { strands, rounds, upwards })
         })
     }
 
