@@ -183,7 +183,7 @@ impl Record {
                 for (_, column, value) in state.matrix("jacobian").iter().filter(|entry| entry.0 == row) {
                     d[*column] = *value;
                 }
-                *largest = largest.max(factor.inverse_square(&d) / scales[row]);
+                *largest = largest.max(factor.inverse_square(d.iter().copied().enumerate()) / scales[row]);
             }
         }
         let watched =
