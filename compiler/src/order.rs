@@ -177,3 +177,33 @@ pub fn order(pattern: &Pattern, strategy: Strategy) -> Order {
     }
     result
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Pattern, joined, missing};
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn neighbours_are_joined_and_counted_as_sets_are() {
+        let lists: [&[u32]; 5] = [&[], &[0, 2, 5], &[2, 3, 5, 9], &[1], &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9]];
+        for one in lists {
+            for other in lists {
+                let [a, b] = [one, other].map(|list| list.iter().copied().collect::<BTreeSet<u32>>());
+                let all: Vec<u32> = a.union(&b).copied().filter(|k| *k != 2 && *k != 9).collect();
+                assert_eq!(joined(one, other, [9, 2]), all, "{one:?} and {other:?}");
+                assert_eq!(missing(one, other), a.difference(&b).count(), "{one:?} without {other:?}");
+            }
+        }
+    }
+
+    /// A square of four: the first pivot joins its neighbours, which are then neighbours of each other.
+    #[test]
+    fn a_pivot_joins_its_neighbours() {
+        let mut square = Pattern::new(4, 0, [(0, 1), (1, 2), (2, 3), (3, 0), (0, 0), (1, 0)]);
+        assert_eq!((square.fill(0), square.degree(0)), (1, 2));
+        assert_eq!(square.eliminate(0), [1, 3]);
+        assert_eq!((square.fill(1), square.eliminate(1)), (0, vec![2, 3]));
+        square.remove(2);
+        assert_eq!((square.degree(3), square.eliminate(3)), (0, vec![]));
+    }
+}

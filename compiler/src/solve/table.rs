@@ -172,3 +172,28 @@ impl<'a> Numeric<'a> {
         solution
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Numeric, Table};
+
+    /// Two trees of unknowns, and right-hand sides that reach a part of them.
+    #[test]
+    fn a_square_is_the_product_with_the_solution() {
+        let parents = [1, 4, 4, 4, 6, 6, 9, 8, 9];
+        let links: Vec<(usize, usize)> = parents.into_iter().enumerate().collect();
+        let table = Table::new(10, 0, links.iter().copied());
+        let diagonal = (0..10).map(|k| (k, k, 4.0 + k as f64));
+        let entries = links.iter().map(|(a, b)| (*a, *b, 0.3 + 0.1 * *a as f64));
+        let factor = Numeric::factor(&table, diagonal.chain(entries));
+        let sides: [&[(usize, f64)]; 5] =
+            [&[], &[(7, 2.0)], &[(0, 1.0), (3, -2.0)], &[(9, 0.5)], &[(2, 1.0), (5, 3.0), (8, -1.0)]];
+        for side in sides {
+            let mut full = vec![0.0; 10];
+            side.iter().for_each(|(at, value)| full[*at] = *value);
+            let expected: f64 = full.iter().zip(factor.solve(&full)).map(|(x, y)| x * y).sum();
+            let found = factor.inverse_square(side.iter().copied());
+            assert!((found - expected).abs() <= 1e-15 * (1.0 + expected), "{side:?}: {found}, {expected}");
+        }
+    }
+}
