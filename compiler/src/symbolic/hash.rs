@@ -68,7 +68,7 @@ impl Known {
         let mut at = upper as usize & mask;
         loop {
             let (own, number) = self.slots[at];
-            if number == u32::MAX {
+            if number == Self::FREE.1 {
                 return None;
             }
             if own == upper && is_same(number) {
@@ -83,7 +83,7 @@ impl Known {
         if 2 * self.count as usize >= self.slots.len() {
             let room = (2 * self.slots.len()).max(Self::FEWEST);
             for slot in std::mem::replace(&mut self.slots, vec![Self::FREE; room]) {
-                if slot.1 != u32::MAX {
+                if slot.1 != Self::FREE.1 {
                     self.put(slot);
                 }
             }
@@ -97,7 +97,7 @@ impl Known {
     fn put(&mut self, slot: (u32, u32)) {
         let mask = self.slots.len() - 1;
         let mut at = slot.0 as usize & mask;
-        while self.slots[at].1 != u32::MAX {
+        while self.slots[at].1 != Self::FREE.1 {
             at = (at + 1) & mask;
         }
         self.slots[at] = slot;

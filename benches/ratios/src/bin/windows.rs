@@ -3,8 +3,8 @@
 //! ```text
 //! cd benches/ratios && RUSTFLAGS="-C target-cpu=native" cargo run --release --bin windows
 //! ```
-//! An evaluation is v̇ and λ with Baumgarte's terms by the way that leads, at 64 states along the motion; a step is one of RK4 by a stepper. All
-//! sizes take turns, and what is shown is the least of many slices of at least 20 µs; f64.
+//! An evaluation is v̇ and λ with Baumgarte's terms by the way that leads, at 8 states along the motion; a step is one of RK4 by a stepper. All
+//! sizes take turns, and what is shown is the least of many slices of at least 20 µs and 64 calls; f64.
 
 // Its definition is that of the models.
 #[macro_use]
