@@ -216,8 +216,7 @@ impl Rest {
             return Rest::default();
         };
         let minus_gamma = if function.is_stabilised() {
-            let Equations { graph, rows, symbols, .. } = equations;
-            solve::stabilised(graph.sheet(), rows, symbols)
+            solve::stabilised(equations)
         } else {
             equations.rows.iter().map(|row| row.jet.bias).collect()
         };

@@ -10,7 +10,7 @@
 
 use super::program::{Instruction, Operand, Program};
 use super::select::Selected;
-use crate::symbolic::Node;
+use crate::symbolic::{Known, Node, mix};
 
 /// A sum of more products than these keeps its order where its one other term comes latest: begun with it, it would be that much later.
 const MANY: usize = 4;
@@ -266,31 +266,64 @@ fn added_up(mut terms: Vec<Term>, present: usize) -> Option<Vec<Instruction>> {
     Some(sum)
 }
 
-/// The program without what is gone, and with these sums in place of their last instructions.
+/// The program without what is gone, and with these sums in place of their last instructions; what two of them compute alike is
+/// computed once.
 fn replace(selected: &mut Selected, gone: &[bool], instead: &[Option<Sum>]) {
     let Selected { program, nodes } = selected;
     let mut position = vec![0_u32; gone.len()];
-    let (mut instructions, mut of) = (Vec::with_capacity(gone.len()), Vec::with_capacity(gone.len()));
+    let mut made = Made::default();
+    let mut of = Vec::with_capacity(gone.len());
     for (index, instruction) in program.instructions.iter().enumerate().filter(|(index, _)| !gone[*index]) {
         let own = instead[index].as_ref().map(|sum| sum.instructions.as_slice());
+        let mut before = 0;
         for instruction in own.unwrap_or(std::slice::from_ref(instruction)) {
-            let before = (instructions.len() as u32).saturating_sub(1);
             let moved = |operand: Operand| match operand {
                 Operand::Value(BEFORE) => Operand::Value(before),
                 Operand::Value(value) => Operand::Value(position[value as usize]),
                 other => other,
             };
-            instructions.push(instruction.map(moved));
-            of.push(nodes[index]);
+            before = made.once(instruction.map(moved));
+            if before as usize == of.len() {
+                of.push(nodes[index]);
+            }
         }
-        position[index] = instructions.len() as u32 - 1;
+        position[index] = before;
     }
     for output in &mut program.outputs {
         if let Operand::Value(value) = output {
             *value = position[*value as usize];
         }
     }
-    (program.instructions, *nodes) = (instructions, of);
+    (program.instructions, *nodes) = (made.instructions, of);
+}
+
+/// Instructions, each there once.
+#[derive(Default)]
+struct Made {
+    instructions: Vec<Instruction>,
+    known: Known,
+}
+
+impl Made {
+    /// The index of an instruction, which is added unless it is there.
+    fn once(&mut self, instruction: Instruction) -> u32 {
+        let hash = hash(&instruction);
+        let is_same = |index: u32| self.instructions[index as usize] == instruction;
+        self.known.get(hash, is_same).unwrap_or_else(|| {
+            self.instructions.push(instruction);
+            self.known.add(hash)
+        })
+    }
+}
+
+/// Of its operands; instructions of different kinds that have the same are few.
+fn hash(instruction: &Instruction) -> u64 {
+    let word = |operand: Operand| match operand {
+        Operand::Constant(value) => value.to_bits(),
+        Operand::Source(source) => (source.argument as u64) << 33 | u64::from(source.index) << 1 | 1,
+        Operand::Value(value) => u64::from(value) << 1,
+    };
+    instruction.operands().fold(0, |hash, operand| mix(hash, word(operand)))
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@
 
 use super::null_space::Sparse;
 use super::{Partition, Pivot};
-use crate::symbolic::{Node, Scalar, Sheet};
+use crate::symbolic::{Node, Op, Scalar, Sheet};
 use std::collections::BTreeSet;
 
 /// D = L U by blocks.
@@ -59,14 +59,14 @@ type Watched<'g> = (Scalar<'g>, Scalar<'g>, f64);
 /// So many determinants are watched themselves; of more their reciprocals, which are alive until the end anyway.
 const FEW: usize = 3;
 
-/// The square of the smallest determinant relative to its size, at most one.
+/// The square of the smallest determinant relative to its size; one if there is none.
 fn smallest<'g>(g: Sheet<'g>, watched: &[Watched<'g>]) -> Scalar<'g> {
     if watched.len() <= FEW {
         let squares = watched.iter().map(|(determinant, _, size)| (*determinant * size.recip()).square());
-        return squares.fold(g.one(), |least, square| square.min(least));
+        return squares.reduce(|least, square| square.min(least)).unwrap_or_else(|| g.one());
     }
     let squares = watched.iter().map(|(_, inverse, size)| (*size * *inverse).square());
-    squares.fold(g.one(), |most, square| most.max(square)).reciprocal()
+    squares.reduce(|most, square| most.max(square)).unwrap_or_else(|| g.one()).reciprocal()
 }
 
 /// The next pivots of a block: an entry that is alone in its row or column of the block, a factor of the determinant;
@@ -109,13 +109,13 @@ fn eliminate<'g>(
     let mut own: Vec<Sparse> = pivots.iter().map(|pivot| std::mem::take(&mut rows[pivot.row])).collect();
     let square: Vec<Vec<Scalar>> =
         own.iter_mut().map(|row| take(row).unwrap_or_else(|| vec![zero; pivots.len()])).collect();
-    let (determinant, inverse) = invert(g, &square);
+    let Inverted { determinant, reciprocal, adjugate, inverse } = invert(g, &square);
     if determinant.value().is_none() {
         let size: f64 = pivots
             .iter()
             .map(|pivot| partition.row_sizes[pivot.row] / partition.scales[pivot.velocity])
             .product();
-        watched.push((determinant, determinant.reciprocal(), size));
+        watched.push((determinant, reciprocal, size));
     }
     let columns: BTreeSet<usize> = own.iter().flat_map(|row| row.keys().copied()).collect();
     let upper: Vec<(usize, Vec<Scalar>)> = columns
@@ -123,7 +123,12 @@ fn eliminate<'g>(
         .map(|column| {
             let entries: Vec<Scalar> =
                 own.iter().map(|row| row.get(&column).copied().unwrap_or(zero)).collect();
-            (column, inverse.iter().map(|row| product(g, row, &entries)).collect())
+            let of_rows = adjugate.iter().zip(&inverse);
+            let taken = of_rows.map(|(adjugate, inverse)| {
+                known(g, || product(g, adjugate, &entries))
+                    .map_or_else(|| product(g, inverse, &entries), |known| known * reciprocal)
+            });
+            (column, taken.collect())
         })
         .collect();
     let mut lower = Vec::new();
@@ -143,8 +148,16 @@ fn eliminate<'g>(
     Step { rows: pivots.iter().map(|pivot| pivot.row).collect(), velocities, inverse, upper, lower }
 }
 
-/// Determinant and inverse of a matrix of one, two or three rows: a⁻¹ = adj(a)/det(a).
-fn invert<'g>(g: Sheet<'g>, a: &[Vec<Scalar<'g>>]) -> (Scalar<'g>, Vec<Vec<Scalar<'g>>>) {
+/// The inverse of a matrix, and what it is made of: a⁻¹ = adj(a)/det(a).
+struct Inverted<'g> {
+    determinant: Scalar<'g>,
+    reciprocal: Scalar<'g>,
+    adjugate: Vec<Vec<Scalar<'g>>>,
+    inverse: Vec<Vec<Scalar<'g>>>,
+}
+
+/// Of a matrix of one, two or three rows.
+fn invert<'g>(g: Sheet<'g>, a: &[Vec<Scalar<'g>>]) -> Inverted<'g> {
     let size = a.len();
     let cofactor = |row: usize, column: usize| match size {
         1 => g.one(),
@@ -158,12 +171,21 @@ fn invert<'g>(g: Sheet<'g>, a: &[Vec<Scalar<'g>>]) -> (Scalar<'g>, Vec<Vec<Scala
             a[r][c] * a[s][d] - a[r][d] * a[s][c]
         }
     };
-    let cofactors: Vec<Vec<Scalar>> =
-        (0..size).map(|row| (0..size).map(|column| cofactor(row, column)).collect()).collect();
-    let determinant = product(g, &a[0], &cofactors[0]);
+    let adjugate: Vec<Vec<Scalar>> =
+        (0..size).map(|column| (0..size).map(|row| cofactor(row, column)).collect()).collect();
+    let first: Vec<Scalar> = adjugate.iter().map(|row| row[0]).collect();
+    let determinant = product(g, &a[0], &first);
     let reciprocal = determinant.reciprocal();
-    let transposed = |velocity: usize| cofactors.iter().map(move |row| row[velocity] * reciprocal).collect();
-    (determinant, (0..size).map(transposed).collect())
+    let inverse = adjugate.iter().map(|row| row.iter().map(|entry| *entry * reciprocal).collect()).collect();
+    Inverted { determinant, reciprocal, adjugate, inverse }
+}
+
+/// What is on the graph already, but for a sign.
+fn known<'g>(g: Sheet<'g>, make: impl FnOnce() -> Scalar<'g>) -> Option<Scalar<'g>> {
+    let before = g.graph().len();
+    let made = make();
+    let signs = g.graph().since(before).iter().all(|op| matches!(op, Op::Neg(_)));
+    signs.then_some(made)
 }
 
 /// Σ aᵢ bᵢ.

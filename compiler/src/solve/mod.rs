@@ -8,11 +8,12 @@ mod further;
 mod lu;
 mod null_space;
 mod partition;
+mod stabilised;
 mod stored;
 pub mod table;
 
 use crate::equations::space::articulated;
-use crate::equations::{Equations, Kinematics, Row, Symbols};
+use crate::equations::{Equations, Kinematics, Row};
 use crate::order::{self, Order, Pattern, Strategy};
 use crate::symbolic::{Counts, Node, Scalar, Sheet, all_bare};
 use elimination::{Entries, Factor, Kind};
@@ -21,6 +22,7 @@ use std::collections::{BTreeMap, BTreeSet};
 pub use further::Further;
 pub use null_space::{NullSpace, null_space};
 pub use partition::{Partition, Pivot};
+pub use stabilised::stabilised;
 pub use stored::{Stored, store};
 
 /// v̇ and λ, and the smallest relative pivot met on the way.
@@ -337,7 +339,7 @@ fn eliminate(equations: &Equations, system: &System, order: Order) -> Solved {
     let factor = elimination::factor(g, entries, &order, &kind);
 
     let plain: Vec<Node> = equations.rows.iter().map(|row| row.jet.bias).collect();
-    let stabilised = stabilised(g, &equations.rows, &equations.symbols);
+    let stabilised = stabilised(equations);
     let linear = |forces: Vec<Scalar<'_>>, minus_gamma: &[Node]| {
         let mut right = forces;
         for (row, rho) in &massless.rows {
@@ -380,16 +382,6 @@ fn eliminate(equations: &Equations, system: &System, order: Order) -> Solved {
 fn solved(equations: &Equations, solution: &Solution, of: &[Node]) -> Vec<Node> {
     let solved = solution.acceleration.iter().chain(&solution.lambda).copied();
     equations.graph.sheet().graph().substitute(of, &equations.results().zip(solved).collect())
-}
-
-/// −γ + 2α (D v − ν) + β² Φ.
-pub fn stabilised(g: Sheet, rows: &[Row], symbols: &Symbols) -> Vec<Node> {
-    let stabilised = |Row { jet, .. }: &Row| {
-        let damping = symbols.two_alpha * jet.rate(g, &symbols.v);
-        let stiffness = symbols.beta_squared * g.on(jet.value);
-        jet.bias + damping + stiffness
-    };
-    rows.iter().map(|row| stabilised(row).bare).collect()
 }
 
 /// Rows that are components of one vector, numbered alike.

@@ -91,7 +91,7 @@ pub fn store(equations: &Equations, massless: &Massless, row_scales: &[Node]) ->
     let stand_ins = symbols(g, "kept", kept.len());
     let replaced = kept.iter().copied().zip(stand_ins.iter().copied()).collect();
     let solution = g.graph().substitute(&solution, &replaced);
-    let stabilised = stabilised(g, &equations.rows, &equations.symbols);
+    let stabilised = stabilised(equations);
     let stabilised = stabilised.into_iter().map(|row| (-g.on(row)).bare).collect();
     let velocity_pivot = factor.velocity_pivot;
     let pivot = not_nan(g.on(factor.pivot)).bare;

@@ -117,6 +117,10 @@ impl Graph {
     pub fn nodes(&self) -> impl DoubleEndedIterator<Item = (Node, Op)> + '_ {
         self.ops.iter().enumerate().map(|(index, op)| (Node(index as u32), *op))
     }
+    /// The operations of what was added since there were so many nodes.
+    pub fn since(&self, count: usize) -> &[Op] {
+        &self.ops[count..]
+    }
     /// The same graph with one node computed by another operation on older nodes: for tests that must notice.
     pub fn with(&self, node: Node, op: Op) -> Graph {
         let mut changed = self.clone();

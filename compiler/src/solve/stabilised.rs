@@ -1,0 +1,181 @@
+//! What rows ask of accelerations with Baumgarte's terms.
+//!
+//! −γ, D v − ν and Φ of a loop are made of the same cosines and sines: what a rod adds to −γ is −l cos φ · φ̇², and to Φ it is l cos φ. Both
+//! together are l cos φ (β² − φ̇²), which spares the sum Φ. What turns as a whole, a vector in moving axes, is likewise turned once in
+//! place of three times.
+
+use crate::equations::{Equations, Row};
+use crate::symbolic::{Class, Graph, Node, Op, Sheet};
+
+/// −γ + 2α (D v − ν) + β² Φ, each row as a sum of three or with their common factors taken out, whichever takes fewer operations beside
+/// M, D and Q.
+pub fn stabilised(equations: &Equations) -> Vec<Node> {
+    let Equations { graph, symbols, rows, mass, forces, .. } = equations;
+    let g = graph.sheet();
+    let mut known = Known::default();
+    let columns = rows.iter().flat_map(|row| row.jet.columns.values());
+    known.add(&g.graph(), &mass.values().chain(columns).chain(forces).copied().collect::<Vec<_>>());
+    let mut all = Vec::with_capacity(rows.len());
+    for rows in rows.chunk_by(|a, b| a.origin == b.origin) {
+        let of = |Row { jet, .. }: &Row| {
+            let rate = jet.rate(g, &symbols.v).bare;
+            [jet.bias, rate, jet.value]
+        };
+        let factors = [symbols.two_alpha, symbols.beta_squared];
+        let apart: Vec<Node> = rows.iter().map(|row| added(g, of(row), factors)).collect();
+        let together: Vec<Node> = rows.iter().map(|row| gathered(g, of(row), factors)).collect();
+        let graph = g.graph();
+        let taken = if known.cost(&graph, &together) < known.cost(&graph, &apart) { together } else { apart };
+        known.add(&graph, &taken);
+        all.extend(taken);
+    }
+    all
+}
+
+/// What is computed anyway.
+#[derive(Default)]
+struct Known(Vec<bool>);
+
+impl Known {
+    fn has(&self, node: Node) -> bool {
+        self.0.get(node.index()).copied().unwrap_or(false)
+    }
+
+    fn add(&mut self, graph: &Graph, nodes: &[Node]) {
+        for node in self.beyond(graph, nodes) {
+            self.0[node.index()] = true;
+        }
+    }
+
+    /// What these need beyond it, each once.
+    fn beyond(&mut self, graph: &Graph, nodes: &[Node]) -> Vec<Node> {
+        self.0.resize(graph.len(), false);
+        let mut found = Vec::new();
+        let mut pending = nodes.to_vec();
+        while let Some(node) = pending.pop() {
+            if !std::mem::replace(&mut self.0[node.index()], true) {
+                found.push(node);
+                pending.extend(graph.op(node).operands());
+            }
+        }
+        found.iter().for_each(|node| self.0[node.index()] = false);
+        found
+    }
+
+    /// Operations that these take beyond it; a product that is needed once, by a sum, is one with that.
+    fn cost(&mut self, graph: &Graph, nodes: &[Node]) -> usize {
+        let beyond: Vec<Node> = self.beyond(graph, nodes);
+        let own: Vec<Node> = beyond.into_iter().filter(|node| graph.class(*node) > Class::Parameter).collect();
+        let mut uses = std::collections::BTreeMap::<Node, usize>::new();
+        let operands = own.iter().flat_map(|node| graph.op(*node).operands());
+        operands.chain(nodes.iter().copied()).for_each(|node| *uses.entry(node).or_default() += 1);
+        let is_absorbed = |node: Node| {
+            matches!(graph.op(node), Op::Mul(..)) && uses.get(&node) == Some(&1) && !self.has(node)
+        };
+        let operations = own.iter().map(|node| match graph.op(*node) {
+            Op::Constant(_) | Op::Symbol(_) => 0,
+            Op::Add(a, b) | Op::Sub(a, b) => usize::from(!(is_absorbed(a) || is_absorbed(b))),
+            _ => 1,
+        });
+        operations.sum()
+    }
+}
+
+/// The bias, and the others times their factors.
+fn added(g: Sheet, [bias, rate, value]: [Node; 3], [two_alpha, beta_squared]: [Node; 2]) -> Node {
+    (g.on(bias) + g.on(two_alpha) * rate + g.on(beta_squared) * value).bare
+}
+
+/// The same with the terms of the others taken into those of the bias that have a factor in common with them.
+fn gathered(g: Sheet, [bias, rate, value]: [Node; 3], [two_alpha, beta_squared]: [Node; 2]) -> Node {
+    let graph = &mut g.graph();
+    let (bias, rate) = taken_in(graph, bias, two_alpha, rate);
+    let (bias, value) = taken_in(graph, bias, beta_squared, value);
+    let [rate, value] = [(two_alpha, rate), (beta_squared, value)].map(|(factor, left)| graph.mul(factor, left));
+    let sum = graph.add(bias, rate);
+    graph.add(sum, value)
+}
+
+/// A sum with those terms of another, times `factor`, that share a factor with one of its own; and the sum of the others.
+fn taken_in(g: &mut Graph, mut sum: Node, factor: Node, other: Node) -> (Node, Node) {
+    let mut terms = Vec::new();
+    terms_of(g, other, false, &mut terms);
+    let mut left = g.constant(0.0);
+    let mut all_left = true;
+    for term in terms {
+        match within(g, sum, false, factor, term) {
+            Some(with) => (sum, all_left) = (with, false),
+            None if term.minus => left = g.sub(left, term.node),
+            None => left = g.add(left, term.node),
+        }
+    }
+    // What is left of a sum in whole stays as it is written.
+    (sum, if all_left { other } else { left })
+}
+
+/// A term of a sum.
+#[derive(Clone, Copy)]
+struct Term {
+    minus: bool,
+    node: Node,
+}
+
+/// The terms of a sum, left to right.
+fn terms_of(g: &Graph, sum: Node, minus: bool, terms: &mut Vec<Term>) {
+    match g.op(sum) {
+        Op::Add(a, b) => {
+            terms_of(g, a, minus, terms);
+            terms_of(g, b, minus, terms);
+        }
+        Op::Sub(a, b) => {
+            terms_of(g, a, minus, terms);
+            terms_of(g, b, !minus, terms);
+        }
+        Op::Neg(a) => terms_of(g, a, !minus, terms),
+        _ => terms.push(Term { minus, node: sum }),
+    }
+}
+
+/// The sum and `factor` times the term, `minus`: of its negative, if a term of the sum has a factor in common with it.
+fn within(g: &mut Graph, sum: Node, minus: bool, factor: Node, term: Term) -> Option<Node> {
+    match g.op(sum) {
+        Op::Add(a, b) => match within(g, a, minus, factor, term) {
+            Some(a) => Some(g.add(a, b)),
+            None => within(g, b, minus, factor, term).map(|b| g.add(a, b)),
+        },
+        Op::Sub(a, b) => match within(g, a, minus, factor, term) {
+            Some(a) => Some(g.sub(a, b)),
+            None => within(g, b, !minus, factor, term).map(|b| g.sub(a, b)),
+        },
+        Op::Neg(a) => within(g, a, !minus, factor, term).map(|a| g.neg(a)),
+        _ => {
+            let (common, own, other) = common(g, sum, term.node)?;
+            let other = g.mul(factor, other);
+            let both = if minus == term.minus { g.add(own, other) } else { g.sub(own, other) };
+            Some(g.mul(common, both))
+        }
+    }
+}
+
+/// A common factor of a product and of a term, which may be that factor alone, and what is left of each.
+fn common(g: &mut Graph, product: Node, term: Node) -> Option<(Node, Node, Node)> {
+    let Op::Mul(x, y) = g.op(product) else { return None };
+    let one = g.constant(1.0);
+    let moves = |factor: Node| g.class(factor) > Class::Parameter;
+    for (factor, own) in [(x, y), (y, x)].into_iter().filter(|(factor, _)| moves(*factor)) {
+        match g.op(term) {
+            _ if term == factor => return Some((factor, own, one)),
+            Op::Mul(u, v) if u == factor => return Some((factor, own, v)),
+            Op::Mul(u, v) if v == factor => return Some((factor, own, u)),
+            _ => {}
+        }
+    }
+    // k (x y) and k x.
+    match g.op(term) {
+        Op::Mul(k, term) if k == x && !moves(k) => {
+            let (factor, own, other) = common(g, y, term)?;
+            Some((g.mul(k, factor), own, other))
+        }
+        _ => None,
+    }
+}
