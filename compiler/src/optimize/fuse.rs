@@ -99,3 +99,29 @@ impl Fused {
         matches!(graph.op(node), Op::Mul(..)) && !self.is_leaf(node)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::symbolic::Class;
+
+    /// How many products of a row of them are absorbed by the sums of neighbours: each is needed by two.
+    fn absorbed(count: usize) -> usize {
+        let mut g = Graph::default();
+        let x: Vec<Node> = (0..=count).map(|at| g.symbol(format!("x{at}"), Class::Position)).collect();
+        let products: Vec<Node> = x.windows(2).map(|pair| g.mul(pair[0], pair[1])).collect();
+        let first = g.add(x[count], products[0]);
+        let last = g.add(x[count], products[count - 1]);
+        let mut sums: Vec<Node> = products.windows(2).map(|pair| g.add(pair[0], pair[1])).collect();
+        sums.extend([first, last]);
+        let fused = fuse(&g, &sums, |_| false);
+        fused.absorbs.iter().flatten().copied().collect::<BTreeSet<_>>().len()
+    }
+
+    #[test]
+    fn of_products_in_a_row_every_second_or_none() {
+        assert_eq!([2, 3, 4, 5].map(absorbed), [1, 2, 2, 3]);
+        assert_eq!([6, 10, 24].map(absorbed), [0, 0, 0]);
+        assert_eq!([25, 30].map(absorbed), [13, 15]);
+    }
+}

@@ -390,6 +390,19 @@ mod tests {
         assert_eq!(operations(alone), (2, 2));
     }
 
+    /// a·b + c·d is in both, though neither sum says so.
+    #[test]
+    fn what_sums_begin_with_alike_is_computed_once() {
+        let (mut g, x) = graph();
+        let [a, b] = [g.mul(x[0], x[1]), g.mul(x[2], x[3])];
+        let sums = [4, 5].map(|at| {
+            let other = g.mul(x[at], x[at]);
+            let both = g.add(a, other);
+            g.add(both, b)
+        });
+        assert_eq!(count(&program(&g, &sums)).total(), 4);
+    }
+
     #[test]
     fn what_is_late_is_added_last() {
         let sum = |late_first: bool| {

@@ -179,3 +179,77 @@ fn common(g: &mut Graph, product: Node, term: Node) -> Option<(Node, Node, Node)
         _ => None,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::symbolic::{Growing, evaluate};
+
+    const SYMBOLS: [&str; 8] = ["c", "s", "w", "d", "e", "u", "2 alpha", "beta^2"];
+
+    fn values(graph: &Growing, nodes: &[Node]) -> Vec<f64> {
+        let at: Vec<f64> = (0..SYMBOLS.len()).map(|at| 0.4 + 0.37 * at as f64).collect();
+        let values = evaluate(&graph.read(), &at);
+        nodes.iter().map(|node| values[node.index()]).collect()
+    }
+
+    /// Two rods in a row: −γ is −(l c w² + d u²), Φ is l c + d − 2, and the rate −(l s w + e u).
+    #[test]
+    fn a_rod_is_in_one_term() {
+        let graph = Growing::default();
+        let g = graph.sheet();
+        let [c, s, w, d, e, u, two_alpha, beta_squared] = SYMBOLS.map(|name| g.symbol(name, Class::Velocity));
+        let bias = -(0.3 * c * w.square() + d * u.square());
+        let (rate, value) = (-(0.3 * s * w + e * u), 0.3 * c + d - 2.0);
+        let row = [bias, rate, value].map(|part| part.bare);
+        let factors = [two_alpha.bare, beta_squared.bare];
+        let both = [added(g, row, factors), gathered(g, row, factors)];
+        let expected = two_alpha * rate
+            - 0.3 * c * (w.square() - beta_squared)
+            - d * (u.square() - beta_squared)
+            - 2.0 * beta_squared;
+        let [apart, together, expected] = values(&graph, &[both[0], both[1], expected.bare])[..] else {
+            panic!("three values");
+        };
+        assert!((apart - together).abs() < 1e-14 && (apart - expected).abs() < 1e-14, "{apart} {together}");
+        let mut known = Known::default();
+        let costs = both.map(|row| known.cost(&g.graph(), &[row]));
+        assert!(costs[1] < costs[0], "{costs:?}");
+    }
+
+    /// A vector that turns: all three have the same factors, and are turned together.
+    #[test]
+    fn a_vector_is_turned_once() {
+        let graph = Growing::default();
+        let g = graph.sheet();
+        let [c, s, w, d, e, u, two_alpha, beta_squared] = SYMBOLS.map(|name| g.symbol(name, Class::Velocity));
+        let turned = |x, y| [c * x - s * y, s * x + c * y];
+        let [bias, rate, value] = [turned(w * d, u * u), turned(w, u), turned(d, e)];
+        let factors = [two_alpha.bare, beta_squared.bare];
+        let rows = [0, 1].map(|at| [bias[at].bare, rate[at].bare, value[at].bare]);
+        let apart = rows.map(|row| added(g, row, factors));
+        let together = rows.map(|row| gathered(g, row, factors));
+        for (a, b) in values(&graph, &apart).into_iter().zip(values(&graph, &together)) {
+            assert!((a - b).abs() < 1e-14, "{a} {b}");
+        }
+        let mut known = Known::default();
+        let costs = [apart, together].map(|rows| known.cost(&g.graph(), &rows));
+        assert!(costs[1] + 6 <= costs[0], "{costs:?}");
+    }
+
+    #[test]
+    fn what_is_known_costs_nothing() {
+        let graph = Growing::default();
+        let g = graph.sheet();
+        let [a, b] = ["a", "b"].map(|name| g.symbol(name, Class::Position));
+        let product = a * b;
+        let sum = product + a;
+        let mut known = Known::default();
+        // Together one, unless the product is needed elsewhere.
+        assert_eq!(known.cost(&g.graph(), &[sum.bare]), 1);
+        assert_eq!(known.cost(&g.graph(), &[sum.bare, product.bare]), 2);
+        known.add(&g.graph(), &[product.bare]);
+        assert_eq!(known.cost(&g.graph(), &[product.bare]), 0);
+        assert_eq!(known.cost(&g.graph(), &[sum.bare]), 1);
+    }
+}
