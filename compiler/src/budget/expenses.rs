@@ -34,7 +34,7 @@ const SHARED_RATES: &str = "rates and forces that several of these need";
 const MASS: &str = "the mass matrix M";
 const ROWS: &str = "the constraint rows D";
 const GAMMA: &str = "γ of the constraint rows";
-const STABILISATION: &str = "Baumgarte's terms";
+const STABILISED: &str = "γ of the constraint rows with Baumgarte's terms";
 const INERTIA: &str = "gravity and gyroscopic forces";
 const LOADS: &str = "loads";
 const SUMS: &str = "sums of forces and of rows";
@@ -50,7 +50,7 @@ const ORDER: [&str; 13] = [
     MASS,
     ROWS,
     GAMMA,
-    STABILISATION,
+    STABILISED,
     INERTIA,
     LOADS,
     SUMS,
@@ -103,16 +103,20 @@ fn of_the_solution(compiled: &Compiled, equations: &Equations, function: Functio
     for (load, terms) in compiled.mechanism.loads.iter().zip(&equations.contributions.loads) {
         purposes.add(LOADS, &load.name.text, terms.iter().copied());
     }
-    for row in &equations.rows {
+    for (row, minus_gamma) in equations.rows.iter().zip(minus_gamma(equations, function)) {
         purposes.add(ROWS, &row.of, row.jet.columns.values().copied());
-        purposes.add(GAMMA, &row.of, [row.jet.bias]);
-        if function.is_stabilised() {
-            let v = &equations.symbols.v;
-            let rate = row.jet.rate(equations.graph.sheet(), v).bare;
-            purposes.add(STABILISATION, &row.of, [row.jet.value, rate]);
-        }
+        let what = if function.is_stabilised() { STABILISED } else { GAMMA };
+        purposes.add(what, &row.of, [minus_gamma]);
     }
     purposes.0
+}
+
+/// What rows ask of accelerations.
+fn minus_gamma(equations: &Equations, function: Function) -> Vec<Node> {
+    if function.is_stabilised() {
+        return solve::stabilised(equations);
+    }
+    equations.rows.iter().map(|row| row.jet.bias).collect()
 }
 
 /// The nodes that each part of a function's result needs, by the names of joints, loads, bodies and outputs.
@@ -215,11 +219,7 @@ impl Rest {
         let Some((solution, factored)) = functions::solution(&compiled.complete, function) else {
             return Rest::default();
         };
-        let minus_gamma = if function.is_stabilised() {
-            solve::stabilised(equations)
-        } else {
-            equations.rows.iter().map(|row| row.jet.bias).collect()
-        };
+        let minus_gamma = minus_gamma(equations, function);
         let graph = equations.graph.read();
         let needs = |nodes: &mut dyn Iterator<Item = Node>| graph.reachable(nodes).into_iter().collect();
         Rest {

@@ -112,11 +112,12 @@ pub fn nodes_of(equations: &Equations, outputs: &[Node]) -> Vec<Node> {
     alone(equations, outputs).nodes
 }
 
-/// A function by itself. Where its arguments come from does not count.
+/// A function by itself. Where its arguments come from does not count, as long as each comes from a place of its own.
 fn alone(equations: &Equations, outputs: &[Node]) -> Selected {
     let graph = equations.graph.read();
     let (fused, hoisted) = optimize::alone(&graph, outputs);
-    let anywhere = vec![Source { argument: Argument::Time, index: 0 }; graph.symbol_count()];
+    let somewhere = |index: usize| Source { argument: Argument::Q, index: index as u32 };
+    let anywhere: Vec<Source> = (0..graph.symbol_count()).map(somewhere).collect();
     let mut selected = select::select(&graph, &anywhere, &hoisted, &fused);
     regroup::regroup(&mut selected, &[]);
     selected

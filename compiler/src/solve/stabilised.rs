@@ -65,7 +65,8 @@ impl Known {
     /// Operations that these take beyond it; a product that is needed once, by a sum, is one with that.
     fn cost(&mut self, graph: &Graph, nodes: &[Node]) -> usize {
         let beyond: Vec<Node> = self.beyond(graph, nodes);
-        let own: Vec<Node> = beyond.into_iter().filter(|node| graph.class(*node) > Class::Parameter).collect();
+        let own: Vec<Node> =
+            beyond.into_iter().filter(|node| graph.class(*node) > Class::Parameter).collect();
         let mut uses = std::collections::BTreeMap::<Node, usize>::new();
         let operands = own.iter().flat_map(|node| graph.op(*node).operands());
         operands.chain(nodes.iter().copied()).for_each(|node| *uses.entry(node).or_default() += 1);
@@ -91,7 +92,8 @@ fn gathered(g: Sheet, [bias, rate, value]: [Node; 3], [two_alpha, beta_squared]:
     let graph = &mut g.graph();
     let (bias, rate) = taken_in(graph, bias, two_alpha, rate);
     let (bias, value) = taken_in(graph, bias, beta_squared, value);
-    let [rate, value] = [(two_alpha, rate), (beta_squared, value)].map(|(factor, left)| graph.mul(factor, left));
+    let [rate, value] =
+        [(two_alpha, rate), (beta_squared, value)].map(|(factor, left)| graph.mul(factor, left));
     let sum = graph.add(bias, rate);
     graph.add(sum, value)
 }

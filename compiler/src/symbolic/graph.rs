@@ -281,6 +281,12 @@ impl Graph {
             let positive = self.constant(-value);
             return self.add(a, positive);
         }
+        // −k − x is −(k + x), so that it meets k + x.
+        if let Some(value) = self.value(a).filter(|value| *value < 0.0) {
+            let positive = self.constant(-value);
+            let sum = self.add(positive, b);
+            return self.neg(sum);
+        }
         // (x − r) − p = x − (r + p), (r + x) − p = (r − p) + x for what changes seldom.
         if self.class(b) <= Class::Parameter && self.class(a) > Class::Parameter {
             match self.op(a) {
