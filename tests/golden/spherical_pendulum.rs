@@ -164,7 +164,7 @@ const _: () = {
             v: &V<R>,
             a: &V<R>,
         ) -> [SpatialMotion<R>; 1] {
-            // 47 operations.
+            // 46 operations.
             let pivot_orientation_w = q[0];
             let pivot_orientation_x = q[1];
             let pivot_orientation_y = q[2];
@@ -196,39 +196,38 @@ const _: () = {
             let a18 = pivot_orientation_y * a0;
             let a19 = (-pivot_orientation_w).mul_add(a15, a18);
             let a20 = pivot_orientation_w.mul_add(a15, a18);
-            let a21 = (-pivot_orientation_x).mul_add(a15, R::ONE);
-            let a22 = a21 - a3;
-            let a23 = R::from_f64(2.0) * pivot_rate_z;
-            let a24 = a13 * a23;
-            let a25 = R::from_f64(2.0) * pivot_rate_y;
-            let a26 = (-a14).mul_add(a25, a24);
-            let a27 = a17 * a23;
-            let a28 = (-a19).mul_add(a25, a27);
-            let a29 = a20 * a23;
-            let a30 = (-a22).mul_add(a25, a29);
-            let a31 = pivot_rate_x.mul_add(pivot_rate_y, pivot_rate_z_dot);
-            let a32 = R::from_f64(2.0) * a31;
-            let a33 = a13 * a32;
-            let a34 = pivot_rate_x.mul_add(pivot_rate_z, -pivot_rate_y_dot);
-            let a35 = R::from_f64(2.0) * a34;
-            let a36 = a14.mul_add(a35, a33);
-            let a37 = pivot_rate_z * pivot_rate_z;
-            let a38 = pivot_rate_y.mul_add(pivot_rate_y, a37);
-            let a39 = R::from_f64(2.0) * a38;
-            let a40 = (-a5).mul_add(a39, a36);
-            let a41 = a17 * a32;
-            let a42 = a19.mul_add(a35, a41);
-            let a43 = (-a8).mul_add(a39, a42);
-            let a44 = a20 * a32;
-            let a45 = a22.mul_add(a35, a44);
-            let a46 = (-a11).mul_add(a39, a45);
+            let a21 = a16 - a3;
+            let a22 = R::from_f64(2.0) * pivot_rate_z;
+            let a23 = a13 * a22;
+            let a24 = R::from_f64(2.0) * pivot_rate_y;
+            let a25 = (-a14).mul_add(a24, a23);
+            let a26 = a17 * a22;
+            let a27 = (-a19).mul_add(a24, a26);
+            let a28 = a20 * a22;
+            let a29 = (-a21).mul_add(a24, a28);
+            let a30 = pivot_rate_x.mul_add(pivot_rate_y, pivot_rate_z_dot);
+            let a31 = R::from_f64(2.0) * a30;
+            let a32 = a13 * a31;
+            let a33 = pivot_rate_x.mul_add(pivot_rate_z, -pivot_rate_y_dot);
+            let a34 = R::from_f64(2.0) * a33;
+            let a35 = a14.mul_add(a34, a32);
+            let a36 = pivot_rate_z * pivot_rate_z;
+            let a37 = pivot_rate_y.mul_add(pivot_rate_y, a36);
+            let a38 = R::from_f64(2.0) * a37;
+            let a39 = (-a5).mul_add(a38, a35);
+            let a40 = a17 * a31;
+            let a41 = a19.mul_add(a34, a40);
+            let a42 = (-a8).mul_add(a38, a41);
+            let a43 = a20 * a31;
+            let a44 = a21.mul_add(a34, a43);
+            let a45 = (-a11).mul_add(a38, a44);
             [
                 SpatialMotion {
                     position: [a6, a9, a12],
-                    orientation: [[a5, a13, a14], [a8, a17, a19], [a11, a20, a22]],
-                    velocity: [a26, a28, a30],
+                    orientation: [[a5, a13, a14], [a8, a17, a19], [a11, a20, a21]],
+                    velocity: [a25, a27, a29],
                     rate: [pivot_rate_x, pivot_rate_y, pivot_rate_z],
-                    acceleration: [a40, a43, a46],
+                    acceleration: [a39, a42, a45],
                     angular_acceleration: [
                         pivot_rate_x_dot,
                         pivot_rate_y_dot,
@@ -247,7 +246,7 @@ const _: () = {
             a: &V<R>,
             lambda: &Lambda<R>,
         ) -> [SpatialReaction<R>; 1] {
-            // 66 operations.
+            // 65 operations.
             let pivot_orientation_w = state.q[0];
             let pivot_orientation_x = state.q[1];
             let pivot_orientation_y = state.q[2];
@@ -289,45 +288,44 @@ const _: () = {
             let a28 = (-a27).mul_add(a14, a26);
             let a29 = pivot_orientation_w.mul_add(a20, a24);
             let a30 = a29.mul_add(a1, R::from_f64(9.80665));
-            let a31 = (-pivot_orientation_x).mul_add(a20, R::ONE);
-            let a32 = a31 - a16;
-            let a33 = a32.mul_add(a8, a30);
-            let a34 = (-pivot_orientation_w).mul_add(a2, a9);
-            let a35 = (-a34).mul_add(a14, a33);
-            let a36 = R::from_f64(0.1) * pivot_rate_y_dot;
-            let a37 = R::from_f64(0.04) * pivot_rate_x;
-            let a38 = pivot_rate_z.mul_add(a37, a36);
-            let a39 = R::from_f64(0.1) * pivot_rate_z;
-            let a40 = (-pivot_rate_x).mul_add(a39, a38);
-            let a41 = a5 * a40;
-            let a42 = R::from_f64(0.1) * pivot_rate_z_dot;
-            let a43 = (-pivot_rate_y).mul_add(a37, a42);
-            let a44 = R::from_f64(0.1) * pivot_rate_y;
-            let a45 = pivot_rate_x.mul_add(a44, a43);
-            let a46 = a10.mul_add(a45, a41);
-            let a47 = R::from_f64(0.04) * pivot_rate_x_dot;
-            let a48 = (-pivot_rate_z).mul_add(a44, a47);
-            let a49 = pivot_rate_y.mul_add(a39, a48);
-            let a50 = a18.mul_add(a49, a46);
-            let a51 = R::from_f64(2.0) * a34;
-            let a52 = (-a51).mul_add(a28, a50);
-            let a53 = R::from_f64(2.0) * a27;
-            let a54 = a53.mul_add(a35, a52);
-            let a55 = a27 * a49;
-            let a56 = a22.mul_add(a40, a55);
-            let a57 = a25.mul_add(a45, a56);
-            let a58 = a51.mul_add(a19, a57);
-            let a59 = R::from_f64(2.0) * a18;
-            let a60 = (-a59).mul_add(a35, a58);
-            let a61 = a34 * a49;
-            let a62 = a29.mul_add(a40, a61);
-            let a63 = a32.mul_add(a45, a62);
-            let a64 = (-a53).mul_add(a19, a63);
-            let a65 = a59.mul_add(a28, a64);
+            let a31 = a21 - a16;
+            let a32 = a31.mul_add(a8, a30);
+            let a33 = (-pivot_orientation_w).mul_add(a2, a9);
+            let a34 = (-a33).mul_add(a14, a32);
+            let a35 = R::from_f64(0.1) * pivot_rate_y_dot;
+            let a36 = R::from_f64(0.04) * pivot_rate_x;
+            let a37 = pivot_rate_z.mul_add(a36, a35);
+            let a38 = R::from_f64(0.1) * pivot_rate_z;
+            let a39 = (-pivot_rate_x).mul_add(a38, a37);
+            let a40 = a5 * a39;
+            let a41 = R::from_f64(0.1) * pivot_rate_z_dot;
+            let a42 = (-pivot_rate_y).mul_add(a36, a41);
+            let a43 = R::from_f64(0.1) * pivot_rate_y;
+            let a44 = pivot_rate_x.mul_add(a43, a42);
+            let a45 = a10.mul_add(a44, a40);
+            let a46 = R::from_f64(0.04) * pivot_rate_x_dot;
+            let a47 = (-pivot_rate_z).mul_add(a43, a46);
+            let a48 = pivot_rate_y.mul_add(a38, a47);
+            let a49 = a18.mul_add(a48, a45);
+            let a50 = R::from_f64(2.0) * a33;
+            let a51 = (-a50).mul_add(a28, a49);
+            let a52 = R::from_f64(2.0) * a27;
+            let a53 = a52.mul_add(a34, a51);
+            let a54 = a27 * a48;
+            let a55 = a22.mul_add(a39, a54);
+            let a56 = a25.mul_add(a44, a55);
+            let a57 = a50.mul_add(a19, a56);
+            let a58 = R::from_f64(2.0) * a18;
+            let a59 = (-a58).mul_add(a34, a57);
+            let a60 = a33 * a48;
+            let a61 = a29.mul_add(a39, a60);
+            let a62 = a31.mul_add(a44, a61);
+            let a63 = (-a52).mul_add(a19, a62);
+            let a64 = a58.mul_add(a28, a63);
             [
                 SpatialReaction {
-                    force: [a19, a28, a35],
-                    torque: [a54, a60, a65],
+                    force: [a19, a28, a34],
+                    torque: [a53, a59, a64],
                 },
             ]
         }
