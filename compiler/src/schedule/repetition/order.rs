@@ -19,7 +19,7 @@ pub fn order(program: &Program, strands: Strands) -> Option<(Vec<usize>, Vec<Loo
 }
 
 /// Rounds that wait for one another cost more than rounds that do not: of fewer there is no loop.
-const FEWEST_IN_CHAINS: usize = 12;
+const FEWEST_IN_CHAINS: usize = 10;
 
 struct Repetition<'a> {
     program: &'a Program,
