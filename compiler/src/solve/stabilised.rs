@@ -6,9 +6,11 @@
 
 use crate::equations::{Equations, Row};
 use crate::symbolic::{Class, Graph, Node, Op, Sheet};
+use std::collections::BTreeMap;
 
-/// −γ + 2α (D v − ν) + β² Φ, each row as a sum of three or with their common factors taken out, whichever takes fewer operations beside
-/// M, D and Q.
+/// −γ + 2α (D v − ν) + β² Φ, an entry for each row, in its unit (m, rad or 1) per s²; α and β in 1/s. Source: Baumgarte, *Stabilization of
+/// constraints and integrals of motion in dynamical systems*, Computer Methods in Applied Mechanics and Engineering 1 (1972). Each row is a sum of three or has
+/// their common factors taken out, whichever takes fewer operations beside M, D and Q.
 pub fn stabilised(equations: &Equations) -> Vec<Node> {
     let Equations { graph, symbols, rows, mass, forces, .. } = equations;
     let g = graph.sheet();
@@ -67,7 +69,7 @@ impl Known {
         let beyond: Vec<Node> = self.beyond(graph, nodes);
         let own: Vec<Node> =
             beyond.into_iter().filter(|node| graph.class(*node) > Class::Parameter).collect();
-        let mut uses = std::collections::BTreeMap::<Node, usize>::new();
+        let mut uses = BTreeMap::<Node, usize>::new();
         let operands = own.iter().flat_map(|node| graph.op(*node).operands());
         operands.chain(nodes.iter().copied()).for_each(|node| *uses.entry(node).or_default() += 1);
         let is_absorbed = |node: Node| {
