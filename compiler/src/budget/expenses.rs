@@ -8,7 +8,6 @@ use crate::equations::Equations;
 use crate::functions::{self, Function, outputs};
 use crate::order::Strategy;
 use crate::schedule::{count, nodes_of};
-use crate::solve;
 use crate::symbolic::{Class, Node};
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
@@ -103,7 +102,7 @@ fn of_the_solution(compiled: &Compiled, equations: &Equations, function: Functio
     for (load, terms) in compiled.mechanism.loads.iter().zip(&equations.contributions.loads) {
         purposes.add(LOADS, &load.name.text, terms.iter().copied());
     }
-    for (row, minus_gamma) in equations.rows.iter().zip(minus_gamma(equations, function)) {
+    for (row, minus_gamma) in equations.rows.iter().zip(minus_gamma(compiled, equations, function)) {
         purposes.add(ROWS, &row.of, row.jet.columns.values().copied());
         let what = if function.is_stabilised() { STABILISED } else { GAMMA };
         purposes.add(what, &row.of, [minus_gamma]);
@@ -112,11 +111,11 @@ fn of_the_solution(compiled: &Compiled, equations: &Equations, function: Functio
 }
 
 /// What rows ask of accelerations.
-fn minus_gamma(equations: &Equations, function: Function) -> Vec<Node> {
-    if function.is_stabilised() {
-        return solve::stabilised(equations);
+fn minus_gamma(compiled: &Compiled, equations: &Equations, function: Function) -> Vec<Node> {
+    match functions::asked(&compiled.complete, function) {
+        Some(rows) => rows.to_vec(),
+        None => equations.rows.iter().map(|row| row.jet.bias).collect(),
     }
-    equations.rows.iter().map(|row| row.jet.bias).collect()
 }
 
 /// The nodes that each part of a function's result needs, by the names of joints, loads, bodies and outputs.
@@ -219,7 +218,7 @@ impl Rest {
         let Some((solution, factored)) = functions::solution(&compiled.complete, function) else {
             return Rest::default();
         };
-        let minus_gamma = minus_gamma(equations, function);
+        let minus_gamma = minus_gamma(compiled, equations, function);
         let graph = equations.graph.read();
         let needs = |nodes: &mut dyn Iterator<Item = Node>| graph.reachable(nodes).into_iter().collect();
         Rest {

@@ -140,3 +140,13 @@ pub fn solution(complete: &Complete, function: Function) -> Option<(&Solution, &
         _ => None,
     }
 }
+
+/// What rows ask of the accelerations that a function of [`Function::SOLUTIONS`] gives with Baumgarte's terms.
+pub fn asked(complete: &Complete, function: Function) -> Option<&[Node]> {
+    let Complete { solved, further, .. } = complete;
+    match function {
+        Function::AccelerationBaumgarte => Some(&solved.asked),
+        Function::NullSpaceBaumgarte => further.null_space.as_ref().map(|led| led.asked.as_slice()),
+        _ => None,
+    }
+}

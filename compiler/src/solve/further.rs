@@ -1,6 +1,6 @@
 //! What is written out beside the accelerations by multipliers: K(c), the equations in independent velocities.
 
-use super::{NullSpace, Partition, Solved, Stored, null_space, store};
+use super::{Damping, NullSpace, Partition, Solved, Stored, is_small, null_space, store};
 use crate::equations::Equations;
 use crate::model::{Options, SolvedBy};
 use crate::symbolic::{Counts, Node};
@@ -46,14 +46,24 @@ impl Further {
         let mut further =
             Further { emits_system: emit.penalty, emits_factors: emit.null_space, ..Further::default() };
         if may_lead || emit.null_space {
-            let candidate = equations.clone();
             let is_asked = emit.null_space || options.solution == SolvedBy::Independent;
             let most = if is_asked { usize::MAX } else { HOPELESS * solved.counts.total() };
-            let Some(written) = null_space(&candidate, partition, massless, rows, most) else {
+            // Each on a graph of its own.
+            let written = |damping: Option<Damping>| {
+                let candidate = equations.clone();
+                let written = null_space(&candidate, partition, massless, rows, damping, most)?;
+                let own = count(&candidate, &written.stabilised.nodes());
+                Some((candidate, written, own))
+            };
+            let ways: &[Option<Damping>] = match is_small(equations) {
+                true => &[Some(Damping::InRows), Some(Damping::ByShift)],
+                false => &[None],
+            };
+            let best = ways.iter().filter_map(|way| written(*way)).min_by_key(|(.., own)| own.score());
+            let Some((candidate, written, own)) = best else {
                 return Further { stored, ..further };
             };
             if may_lead {
-                let own = count(&candidate, &written.stabilised.nodes());
                 further.compared = Some([solved.counts, own]);
                 let is_less = LESS.1 * own.score() <= LESS.0 * solved.counts.score();
                 further.leads = options.solution == SolvedBy::Independent || is_less;

@@ -250,21 +250,25 @@ impl<'g> Lu<'g> {
         column
     }
 
-    /// R z + S rows, by R or by U, whichever has fewer entries; the independent entries of `z` count.
+    /// R z + S rows − shift, by R or by U, whichever takes less; the independent entries of `z` count.
     pub fn combine(
         &self,
         g: Sheet<'g>,
         basis: &[Sparse<'g>],
         rows: &[Scalar<'g>],
+        shift: &[Scalar<'g>],
         independent: &[usize],
         z: &[Scalar<'g>],
     ) -> Vec<Scalar<'g>> {
+        let less = |x: Vec<Scalar<'g>>| x.into_iter().zip(shift).map(|(x, shift)| x - *shift).collect();
         let in_basis: usize = basis.iter().map(|column| column.len() - 1).sum();
         let in_upper: usize = self.steps.iter().map(|step| step.upper.len() * step.rows.len()).sum();
-        if in_upper < in_basis {
-            return self.dependent(g, rows, z);
+        // S rows − shift is there already.
+        let shifted = shift.iter().zip(&self.is_dependent).filter(|(x, own)| **own && !x.is_zero()).count();
+        if in_upper + shifted < in_basis {
+            return less(self.dependent(g, rows, z));
         }
-        let mut sum = self.dependent(g, rows, &vec![g.zero(); z.len()]);
+        let mut sum: Vec<Scalar> = less(self.dependent(g, rows, &vec![g.zero(); z.len()]));
         for (velocity, column) in independent.iter().zip(basis) {
             for (at, entry) in column {
                 sum[*at] += *entry * z[*velocity];

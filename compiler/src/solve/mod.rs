@@ -10,6 +10,7 @@ mod null_space;
 mod partition;
 mod stabilised;
 mod stored;
+mod symmetric;
 pub mod table;
 
 use crate::equations::space::articulated;
@@ -17,12 +18,14 @@ use crate::equations::{Equations, Kinematics, Row};
 use crate::order::{self, Order, Pattern, Strategy};
 use crate::symbolic::{Counts, Node, Scalar, Sheet, all_bare};
 use elimination::{Entries, Factor, Kind};
+use stabilised::{stabilised, stabilised_by_estimate};
 use std::collections::{BTreeMap, BTreeSet};
+use symmetric::Symmetric;
 
 pub use further::Further;
 pub use null_space::{NullSpace, null_space};
 pub use partition::{Partition, Pivot};
-pub use stabilised::stabilised;
+pub use stabilised::Damping;
 pub use stored::{Stored, store};
 
 /// v̇ and λ, and the smallest relative pivot met on the way.
@@ -47,6 +50,8 @@ impl Solution {
 pub struct Solved {
     pub index1: Solution,
     pub baumgarte: Solution,
+    /// What rows ask with Baumgarte's terms: of the accelerations, or of what these are shifted to.
+    pub asked: Vec<Node>,
     pub order: Order,
     /// The values that the factorisation of K computed: pivots and columns of L.
     pub factored: Vec<Node>,
@@ -101,18 +106,25 @@ pub fn solve(
 ) -> (Equations, Solved) {
     let system = System::of(&equations, massless, row_scales);
     let pattern = Pattern::new(system.velocities, system.columns.len(), system.entries.keys().copied());
-    let mut best: Option<(usize, Equations, Solved)> = None;
+    let mut best: Option<Candidate> = None;
     if let Some((candidate, solved)) = by_articulated_bodies(&equations, &pattern, count) {
         if solved.order.operations > solved.counts.total() {
             return (candidate, solved);
         }
         best = Some((solved.counts.score(), candidate, solved));
     }
-    if best.is_none() && system.velocities + system.columns.len() > COUNTED {
-        let solved = counted(&equations, &system, system.without_prescribed(order::best(&pattern)), count);
+    if best.is_none() && !is_small(&equations) {
+        let order = system.without_prescribed(order::best(&pattern));
+        let solved = counted(&equations, &system, order, None, count);
         return (equations, solved);
     }
-    // The structure does not see what constants save, so the small ones are written out and counted.
+    // The structure does not see what constants save, so the small ones are written out and counted. Each on a graph of its own: what
+    // loses leaves nothing behind.
+    let written = |order: Order, damping: Damping| {
+        let candidate = equations.clone();
+        let solved = counted(&candidate, &system, order, Some(damping), count);
+        (solved.counts.score(), candidate, solved)
+    };
     let mut tried: Vec<Vec<usize>> = Vec::new();
     let orders = order::STRATEGIES.map(|strategy| order::order(&pattern, strategy));
     let least = orders.iter().map(|order| order.operations).min().unwrap_or(0);
@@ -124,22 +136,32 @@ pub fn solve(
             continue;
         }
         tried.push(order.sequence.clone());
-        // Each on a graph of its own: what loses leaves nothing behind.
-        let candidate = equations.clone();
-        let solved = counted(&candidate, &system, order, count);
-        let score = solved.counts.score();
-        if best.as_ref().is_none_or(|(least, ..)| score < *least) {
-            best = Some((score, candidate, solved));
-        }
+        best = Some(less(best, written(order, Damping::InRows)));
     }
+    let mut best = best
+        .unwrap_or_else(|| written(system.without_prescribed(order::best(&pattern)), Damping::InRows));
+    if !equations.rows.is_empty() {
+        let shifted = written(best.2.order.clone(), Damping::ByShift);
+        best = less(Some(best), shifted);
+    }
+    let (_, candidate, solved) = best;
+    (candidate, solved)
+}
+
+/// A score, and what it was counted of.
+type Candidate = (usize, Equations, Solved);
+
+/// The one that takes less.
+fn less(best: Option<Candidate>, other: Candidate) -> Candidate {
     match best {
-        Some((_, candidate, solved)) => (candidate, solved),
-        None => {
-            let solved =
-                counted(&equations, &system, system.without_prescribed(order::best(&pattern)), count);
-            (equations, solved)
-        }
+        Some(best) if best.0 <= other.0 => best,
+        _ => other,
     }
+}
+
+/// Whether all ways are written out and counted.
+fn is_small(equations: &Equations) -> bool {
+    equations.layout.velocities() + equations.rows.len() <= COUNTED
 }
 
 /// Operations of the elimination by its structure, which knows nothing of constants: an estimate made in no time.
@@ -312,6 +334,7 @@ fn by_articulated_bodies(
     let mut solved = Solved {
         index1: solution.clone(),
         baumgarte: solution,
+        asked: Vec::new(),
         order: Order { strategy: Strategy::ArticulatedBodies, ..order },
         factored: Vec::new(),
         counts: Counts::default(),
@@ -325,13 +348,19 @@ fn by_articulated_bodies(
     Some((candidate, solved))
 }
 
-fn counted(equations: &Equations, system: &System, order: Order, count: &Counting) -> Solved {
-    let solved = eliminate(equations, system, order);
+fn counted(
+    equations: &Equations,
+    system: &System,
+    order: Order,
+    damping: Option<Damping>,
+    count: &Counting,
+) -> Solved {
+    let solved = eliminate(equations, system, order, damping);
     Solved { counts: count(equations, &solved.baumgarte.nodes()), ..solved }
 }
 
 /// Without the counts.
-fn eliminate(equations: &Equations, system: &System, order: Order) -> Solved {
+fn eliminate(equations: &Equations, system: &System, order: Order, damping: Option<Damping>) -> Solved {
     let System { velocities, columns, entries, massless, scales, .. } = system;
     let g = equations.graph.sheet();
     let watch_velocities = !massless.rows.is_empty();
@@ -339,9 +368,15 @@ fn eliminate(equations: &Equations, system: &System, order: Order) -> Solved {
     let factor = elimination::factor(g, entries, &order, &kind);
 
     let plain: Vec<Node> = equations.rows.iter().map(|row| row.jet.bias).collect();
-    let stabilised = stabilised(equations);
-    let linear = |forces: Vec<Scalar<'_>>, minus_gamma: &[Node]| {
-        let mut right = forces;
+    let mass = Symmetric::new(g, *velocities, &equations.mass);
+    let asked = match damping {
+        Some(damping) => stabilised(equations, damping),
+        None => stabilised_by_estimate(equations, 2 * velocities + mass.entries()),
+    };
+    let linear = |forces: Vec<Scalar<'_>>, minus_gamma: &[Node], shift: &[Scalar<'_>]| {
+        // M w + Dᵀ λ = Q + M shift, and v̇ = w − shift.
+        let against: Vec<Scalar> = shift.iter().map(|x| -*x).collect();
+        let mut right = mass.taken_from(&forces, &against);
         for (row, rho) in &massless.rows {
             let weighted = *rho * g.on(minus_gamma[*row]);
             for (velocity, column) in &columns[*row] {
@@ -349,15 +384,19 @@ fn eliminate(equations: &Equations, system: &System, order: Order) -> Solved {
             }
         }
         right.extend(g.all(minus_gamma));
-        solution(g, &factor, system, right)
+        let mut solution = solution(g, &factor, system, right);
+        for (own, shift) in solution.acceleration.iter_mut().zip(shift) {
+            *own = (g.on(*own) - *shift).bare;
+        }
+        solution
     };
-    let none = vec![equations.zero; equations.rows.len()];
+    let (still, none) = (vec![equations.zero; equations.rows.len()], vec![g.zero(); *velocities]);
     let columns = friction::columns(g, &equations.friction, *velocities);
-    let columns: Vec<Solution> = columns.into_iter().map(|column| linear(column, &none)).collect();
-    let with = |minus_gamma: &[Node]| {
-        friction::rubbed(g, equations, linear(g.all(&equations.forces), minus_gamma), &columns)
+    let columns: Vec<Solution> = columns.into_iter().map(|column| linear(column, &still, &none)).collect();
+    let with = |minus_gamma: &[Node], shift: &[Scalar<'_>]| {
+        friction::rubbed(g, equations, linear(g.all(&equations.forces), minus_gamma, shift), &columns)
     };
-    let (index1, baumgarte) = (with(&plain), with(&stabilised));
+    let (index1, baumgarte) = (with(&plain, &none), with(&asked.rows, &g.all(&asked.shift)));
     let outputs = solved(equations, &index1, &equations.outputs);
     let assignments = solved(equations, &index1, &equations.assignments);
     let powers = match equations.friction.is_none() {
@@ -367,6 +406,7 @@ fn eliminate(equations: &Equations, system: &System, order: Order) -> Solved {
     Solved {
         index1,
         baumgarte,
+        asked: asked.rows,
         order,
         factored: factor.nodes(),
         counts: Counts::default(),

@@ -5,7 +5,9 @@
 
 use super::elimination::{self, Entries, Kind};
 use super::lu::{self, Lu};
+use super::stabilised::{Asked, Damping, stabilised, stabilised_by_estimate};
 use super::stored::{frontier, symbols};
+use super::symmetric::{Symmetric, sparse};
 use super::{Partition, Solution, friction};
 use crate::equations::Equations;
 use crate::order::{self, Pattern};
@@ -29,6 +31,8 @@ pub struct NullSpace {
     /// v̇ and λ, and the smallest pivot; without stabilisation and with Baumgarte's.
     pub plain: Solution,
     pub stabilised: Solution,
+    /// What rows ask with Baumgarte's terms: of the accelerations, or of what these are shifted to.
+    pub asked: Vec<Node>,
     /// The values that both factorisations computed, of D and of Rᵀ M R.
     pub factored: Vec<Node>,
 }
@@ -42,12 +46,14 @@ pub struct NullSpace {
 /// once with γ and once with γ − 2α (D v − ν) − β² Φ in its place;
 /// v̇ in m/s² and rad/s², λ in N or N m. `massless`: M alone is singular, so that the pivots of Rᵀ M R are watched.
 /// Source: García de Jalón, Bayo, *Kinematic and Dynamic Simulation of Multibody Systems*, 5.2.3.
-/// `rows`: symbols for right-hand sides of rows, if there are some already. `most`: so many operations are too many; nothing is written then.
+/// `rows`: symbols for right-hand sides of rows, if there are some already. `damping`: how 2α (D v − ν) enters; by
+/// an estimate if that is not said. `most`: so many operations are too many; nothing is written then.
 pub fn null_space(
     equations: &Equations,
     partition: &Partition,
     massless: bool,
     rows: Option<&[Node]>,
+    damping: Option<Damping>,
     most: usize,
 ) -> Option<NullSpace> {
     let g = equations.graph.sheet();
@@ -77,19 +83,20 @@ pub fn null_space(
     let factor = elimination::factor(g, &reduced, &order, &kind);
     let pivot = if factor.pivot == g.one().bare { lu.pivot } else { lu.pivot.min(g.on(factor.pivot)) }.bare;
     let forces = g.all(&equations.forces);
-    let linear = |forces: &[Scalar<'_>], gamma: &[Scalar<'_>]| {
-        // (Rᵀ M R) z̈ = Rᵀ (Q − M S γ)
-        let none = vec![g.zero(); velocities];
+    let none = vec![g.zero(); velocities];
+    let linear = |forces: &[Scalar<'_>], gamma: &[Scalar<'_>], shift: &[Scalar<'_>]| {
+        // (Rᵀ M R) z̈ = Rᵀ (Q − M S γ); v̇ is less than R z̈ + S γ by the shift.
         let bias = lu.dependent(g, gamma, &none);
+        let bias: Vec<Scalar> = bias.iter().zip(shift).map(|(bias, shift)| *bias - *shift).collect();
         let taken = mass.taken_from(forces, &bias);
         let loads = sparse(&taken);
         let right: Vec<Scalar> = basis.iter().map(|column| dot(g, column, &loads)).collect();
         // v̇ = R z̈ + S γ
-        let mut z = none;
+        let mut z = none.clone();
         for (velocity, rate) in independent.iter().zip(factor.solve(g, &right)) {
             z[*velocity] = rate;
         }
-        let acceleration = lu.combine(g, &basis, gamma, &independent, &z);
+        let acceleration = lu.combine(g, &basis, gamma, shift, &independent, &z);
         // D_dᵀ λ = (Q − M v̇)_d, and M v̇ = M S γ + (M R) z̈.
         let rest = if by_products {
             let mut rest = taken;
@@ -103,17 +110,35 @@ pub fn null_space(
         let lambda = lu.multipliers(g, rest, vec![g.zero(); equations.rows.len()]);
         Solution { acceleration: all_bare(&acceleration), lambda: all_bare(&lambda), pivot, left: Vec::new() }
     };
-    let none = vec![g.zero(); equations.rows.len()];
+    let still = vec![g.zero(); equations.rows.len()];
     let columns = friction::columns(g, &equations.friction, velocities);
-    let columns: Vec<Solution> = columns.iter().map(|column| linear(column, &none)).collect();
-    let solution = |gamma: &[Scalar<'_>]| friction::rubbed(g, equations, linear(&forces, gamma), &columns);
-    let plain = solution(&g.all(&equations.gamma));
-    let stabilised = super::stabilised(equations);
-    let minus: Vec<Scalar> = g.all(&stabilised).into_iter().map(|x| -x).collect();
-    let stabilised = solution(&minus);
+    let columns: Vec<Solution> = columns.iter().map(|column| linear(column, &still, &none)).collect();
+    let solution = |gamma: &[Scalar<'_>], shift: &[Scalar<'_>]| {
+        friction::rubbed(g, equations, linear(&forces, gamma, shift), &columns)
+    };
+    let plain = solution(&g.all(&equations.gamma), &none);
+    let Asked { rows, shift } = match damping {
+        Some(damping) => stabilised(equations, damping),
+        None => {
+            let of_independent = independent.iter().map(|velocity| mass.rows[*velocity].len() + 1);
+            stabilised_by_estimate(equations, velocities + of_independent.sum::<usize>())
+        }
+    };
+    let minus: Vec<Scalar> = g.all(&rows).into_iter().map(|x| -x).collect();
+    let stabilised = solution(&minus, &g.all(&shift));
     let partition_pivot = lu.pivot.bare;
     let factored = lu.nodes().chain(factor.nodes()).collect();
-    Some(NullSpace { factored, kept, given_rows, stand_ins, partition_pivot, dependent, plain, stabilised })
+    Some(NullSpace {
+        asked: rows,
+        factored,
+        kept,
+        given_rows,
+        stand_ins,
+        partition_pivot,
+        dependent,
+        plain,
+        stabilised,
+    })
 }
 
 /// Mechanisms of at most so many velocities keep what they computed in registers, or nearly so.
@@ -123,9 +148,9 @@ const SHORT: usize = 12;
 /// for each, is stored and loaded in between, which takes as long as two operations: a ladder of ten windows takes 97 ns in
 /// place of 88 with 25 operations of 703 less.
 fn by_products(lu: &Lu, mass: &Symmetric, products: &[Sparse]) -> bool {
-    let velocities = mass.0.len();
+    let velocities = mass.rows.len();
     let dependent = (0..velocities).filter(|velocity| lu.is_dependent[*velocity]);
-    let by_mass: usize = dependent.clone().map(|velocity| mass.0[velocity].len()).sum();
+    let by_mass: usize = dependent.clone().map(|velocity| mass.rows[velocity].len()).sum();
     let by_products = products.iter().flat_map(BTreeMap::keys).filter(|at| lu.is_dependent[**at]).count();
     let kept = if velocities > SHORT { 2 * dependent.count() } else { 0 };
     by_products + kept < by_mass
@@ -169,45 +194,6 @@ fn reduced<'g>(g: Sheet<'g>, basis: &[Sparse<'g>], products: &[Sparse<'g>]) -> E
         }
     }
     entries
-}
-
-/// M by rows, both triangles.
-struct Symmetric<'g>(Vec<Vec<(usize, Scalar<'g>)>>);
-
-impl<'g> Symmetric<'g> {
-    fn new(g: Sheet<'g>, size: usize, lower: &Entries) -> Self {
-        let mut rows = vec![Vec::new(); size];
-        for ((i, j), entry) in lower {
-            rows[*i].push((*j, g.on(*entry)));
-            if i != j {
-                rows[*j].push((*i, g.on(*entry)));
-            }
-        }
-        Symmetric(rows)
-    }
-
-    fn times(&self, x: &Sparse<'g>) -> Sparse<'g> {
-        let mut product = Sparse::new();
-        for (j, value) in x {
-            for (i, entry) in &self.0[*j] {
-                let term = *entry * *value;
-                let sum = product.get(i).map_or(term, |sum| *sum + term);
-                product.insert(*i, sum);
-            }
-        }
-        product
-    }
-
-    /// Q − M a.
-    fn taken_from(&self, forces: &[Scalar<'g>], a: &[Scalar<'g>]) -> Vec<Scalar<'g>> {
-        let product = self.times(&sparse(a));
-        let entry = |(at, x): (usize, &Scalar<'g>)| product.get(&at).map_or(*x, |y| *x - *y);
-        forces.iter().enumerate().map(entry).collect()
-    }
-}
-
-fn sparse<'g>(entries: &[Scalar<'g>]) -> Sparse<'g> {
-    entries.iter().copied().enumerate().filter(|(_, entry)| entry.value() != Some(0.0)).collect()
 }
 
 fn dot<'g>(g: Sheet<'g>, a: &Sparse<'g>, b: &Sparse<'g>) -> Scalar<'g> {

@@ -3,27 +3,87 @@
 //! −γ, D v − ν and Φ of a loop are made of the same cosines and sines: what a rod adds to −γ is −l cos φ · φ̇², and to Φ it is l cos φ. Both
 //! together are l cos φ (β² − φ̇²), which spares the sum Φ. What turns as a whole, a vector in moving axes, is likewise turned once in
 //! place of three times.
+//!
+//! 2α (D v − ν) need not be formed at all. With w = v̇ + 2α v the equations are
+//!
+//! ```text
+//! M w + Dᵀ λ = Q + 2α M v,    D w = γ + 2α ν − β² Φ,
+//! ```
+//!
+//! so that a product for each velocity and M v take the place of D v.
 
-use crate::equations::{Equations, Row};
+use crate::equations::{Equations, Jet, Row, Symbols};
 use crate::symbolic::{Class, Graph, Node, Op, Sheet};
 use std::collections::BTreeMap;
 
-/// −γ + 2α (D v − ν) + β² Φ, an entry for each row, in its unit (m, rad or 1) per s²; α and β in 1/s. Source: Baumgarte, *Stabilization of
-/// constraints and integrals of motion in dynamical systems*, Computer Methods in Applied Mechanics and Engineering 1 (1972). Each row is a sum of three or has
-/// their common factors taken out, whichever takes fewer operations beside M, D and Q.
-pub fn stabilised(equations: &Equations) -> Vec<Node> {
-    let Equations { graph, symbols, rows, mass, forces, .. } = equations;
+/// What rows ask of accelerations with Baumgarte's terms, α and β in 1/s. Source: Baumgarte, *Stabilization of constraints and integrals of
+/// motion in dynamical systems*, Computer Methods in Applied Mechanics and Engineering 1 (1972).
+pub struct Asked {
+    /// −γ + 2α (D v − ν) + β² Φ, an entry for each row, in its unit (m, rad or 1) per s², or −γ − 2α ν + β² Φ where there is a shift.
+    pub rows: Vec<Node>,
+    /// Zero, or 2α v: the rows then ask this of v̇ + 2α v in place of v̇.
+    pub shift: Vec<Node>,
+}
+
+/// How 2α (D v − ν) enters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Damping {
+    InRows,
+    ByShift,
+}
+
+/// Each row is a sum of its parts or has their common factors taken out, whichever takes fewer operations beside M, D and Q.
+pub fn stabilised(equations: &Equations, damping: Damping) -> Asked {
+    asked(equations, damping, known(equations))
+}
+
+/// The same as promises fewer operations, where writing all out to be counted takes too long. `beyond`: what a shift takes besides.
+pub fn stabilised_by_estimate(equations: &Equations, beyond: usize) -> Asked {
+    let known = known(equations);
+    let ways = [Damping::InRows, Damping::ByShift].map(|damping| asked(equations, damping, known.clone()));
+    let graph = equations.graph.read();
+    let [in_rows, by_shift] = ways.each_ref().map(|asked| known.clone().cost(&graph, &asked.rows));
+    let [first, second] = ways;
+    if by_shift + beyond < in_rows { second } else { first }
+}
+
+fn asked(equations: &Equations, damping: Damping, known: Known) -> Asked {
+    let Equations { graph, symbols, rows, zero, .. } = equations;
     let g = graph.sheet();
-    let mut known = Known::default();
+    match damping {
+        Damping::InRows => Asked {
+            rows: sums(g, rows, known, symbols, |jet| jet.rate(g, &symbols.v).bare),
+            shift: vec![*zero; symbols.v.len()],
+        },
+        Damping::ByShift => Asked {
+            rows: sums(g, rows, known, symbols, |jet| jet.drift),
+            shift: symbols.v.iter().map(|v| (g.on(symbols.two_alpha) * *v).bare).collect(),
+        },
+    }
+}
+
+/// M, D and Q.
+fn known(equations: &Equations) -> Known {
+    let Equations { graph, rows, mass, forces, .. } = equations;
     let columns = rows.iter().flat_map(|row| row.jet.columns.values());
-    known.add(&g.graph(), &mass.values().chain(columns).chain(forces).copied().collect::<Vec<_>>());
+    let nodes: Vec<Node> = mass.values().chain(columns).chain(forces).copied().collect();
+    let mut known = Known::default();
+    known.add(&graph.read(), &nodes);
+    known
+}
+
+/// The rows, with what of D v − ν is to be in them.
+fn sums(
+    g: Sheet,
+    rows: &[Row],
+    mut known: Known,
+    symbols: &Symbols,
+    rate: impl Fn(&Jet) -> Node,
+) -> Vec<Node> {
+    let factors = [symbols.two_alpha, symbols.beta_squared];
     let mut all = Vec::with_capacity(rows.len());
     for rows in rows.chunk_by(|a, b| a.origin == b.origin) {
-        let of = |Row { jet, .. }: &Row| {
-            let rate = jet.rate(g, &symbols.v).bare;
-            [jet.bias, rate, jet.value]
-        };
-        let factors = [symbols.two_alpha, symbols.beta_squared];
+        let of = |row: &Row| [row.jet.bias, rate(&row.jet), row.jet.value];
         let apart: Vec<Node> = rows.iter().map(|row| added(g, of(row), factors)).collect();
         let together: Vec<Node> = rows.iter().map(|row| gathered(g, of(row), factors)).collect();
         let graph = g.graph();
@@ -35,7 +95,7 @@ pub fn stabilised(equations: &Equations) -> Vec<Node> {
 }
 
 /// What is computed anyway.
-#[derive(Default)]
+#[derive(Clone, Default)]
 struct Known(Vec<bool>);
 
 impl Known {

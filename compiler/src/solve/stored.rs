@@ -4,7 +4,8 @@
 //! the factorisation and kept; the rest is the other function. So nothing has to be said about what a factor consists of.
 
 use super::elimination::{self, Entries, Kind};
-use super::{Massless, add_square, stabilised};
+use super::stabilised::{Damping, stabilised};
+use super::{Massless, add_square};
 use crate::equations::Equations;
 use crate::order::{self, Pattern};
 use crate::symbolic::{Class, Compare, Graph, Node, Scalar, Sheet, all_bare};
@@ -91,8 +92,8 @@ pub fn store(equations: &Equations, massless: &Massless, row_scales: &[Node]) ->
     let stand_ins = symbols(g, "kept", kept.len());
     let replaced = kept.iter().copied().zip(stand_ins.iter().copied()).collect();
     let solution = g.graph().substitute(&solution, &replaced);
-    let stabilised = stabilised(equations);
-    let stabilised = stabilised.into_iter().map(|row| (-g.on(row)).bare).collect();
+    let asked = stabilised(equations, Damping::InRows).rows;
+    let stabilised = asked.into_iter().map(|row| (-g.on(row)).bare).collect();
     let velocity_pivot = factor.velocity_pivot;
     let pivot = not_nan(g.on(factor.pivot)).bare;
     let given = StandIns { forces, rows, kept: stand_ins };
