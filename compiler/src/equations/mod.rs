@@ -43,7 +43,7 @@ pub use tangent::Tangents;
 use crate::beams::Way;
 use crate::forms::{CONTACT_LAWS, SURFACES, Sign, Vocabulary};
 use crate::model::{Coordinate, Mechanism, Rate, Redundant, Space, identifier};
-use crate::symbolic::{Class, Growing, Node, Scalar, Sheet, all_bare};
+use crate::symbolic::{Class, Computed, Growing, Node, Scalar, Sheet, all_bare};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Motion of a body: of its centre of mass in world axes, and its orientation. In the plane the pair (cos, sin), ω and ω̇;
@@ -211,12 +211,22 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
         }
     };
 
+    // Inertia and gravity.
+    let without_multipliers = symbols.clone();
+    let laws = Laws::moving(g, mechanism, &without_multipliers, &layout, &kinematics);
+    let dynamics = match mechanism.space {
+        Space::Planar => plane::dynamics(&laws),
+        Space::Spatial => space::dynamics(&laws),
+    };
+    let mut computed = Computed::default();
+    let nodes = dynamics.mass.values().chain(&dynamics.forces).map(|entry| entry.bare);
+    computed.add(&g.graph(), &nodes.collect::<Vec<_>>());
+
     // Constraint rows, and a multiplier for each.
-    let laws = Laws::moving(g, mechanism, &symbols, &layout, &kinematics);
     let carrying = tree.carrying(mechanism);
     let keeps = mechanism.options.redundant == Redundant::Keep;
     let dropped: &[RowOfJoint] = if keeps { &[] } else { &omitted.dropped };
-    let all = rows::rows(&laws, &tree, &carrying, dropped);
+    let all = rows::rows(&laws, &tree, &carrying, dropped, computed);
     let chosen = switch::choose(g, &all, &omitted.switches, &omitted.columns);
     let rows = switch::apply(g, &all, &omitted.switches, &chosen, keeps);
     let lambda = rows
@@ -228,11 +238,7 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
     symbols.normals = friction::symbols(g, mechanism);
     let laws = Laws::moving(g, mechanism, &symbols, &layout, &kinematics);
 
-    // Inertia, gravity and loads.
-    let dynamics = match mechanism.space {
-        Space::Planar => plane::dynamics(&laws),
-        Space::Spatial => space::dynamics(&laws),
-    };
+    // Loads.
     let Dynamics { mass, mut forces, mut inverse, kinetic_energy, mut potential_energy, distributions } =
         dynamics;
     let inertia_and_gravity = all_bare(&forces);

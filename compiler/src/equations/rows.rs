@@ -8,7 +8,7 @@ use super::{plane, space};
 use crate::diagnostics::Region;
 use crate::forms::RowForm;
 use crate::model::{ConstraintId, DriverId, Frame, JointId, Name, Space};
-use crate::symbolic::{Node, Scalar};
+use crate::symbolic::{Computed, Node, Scalar};
 use std::collections::BTreeMap;
 
 /// One row of a joint's constraint.
@@ -82,8 +82,15 @@ pub struct RowOfJoint {
     pub form: &'static RowForm,
 }
 
-/// All rows, but for those `dropped`.
-pub(super) fn rows(laws: &Laws, tree: &SpanningTree, carrying: &[bool], dropped: &[RowOfJoint]) -> Vec<Row> {
+/// All rows, but for those `dropped`; where they can be derived in several ways, in the one that takes fewest operations beside what is
+/// `computed` anyway.
+pub(super) fn rows(
+    laws: &Laws,
+    tree: &SpanningTree,
+    carrying: &[bool],
+    dropped: &[RowOfJoint],
+    mut computed: Computed,
+) -> Vec<Row> {
     let mechanism = laws.mechanism;
     let mut rows = Vec::new();
     for (index, joint) in mechanism.joints.iter().enumerate().filter(|(index, _)| !carrying[*index]) {
@@ -91,13 +98,15 @@ pub(super) fn rows(laws: &Laws, tree: &SpanningTree, carrying: &[bool], dropped:
         if !joint.holds() {
             continue;
         }
-        let of_joint = match mechanism.space {
-            Space::Planar => plane::joints::rows(laws, joint),
+        let mut ways = match mechanism.space {
+            Space::Planar => vec![plane::joints::rows(laws, joint)],
             Space::Spatial => space::joints::rows(laws, tree, id),
         };
-        let kept =
-            of_joint.into_iter().filter(|row| !dropped.contains(&RowOfJoint { joint: id, form: row.form }));
-        rows.extend(kept.map(|row| Row::new(Origin::Joint(id), &joint.name, row)));
+        for rows in &mut ways {
+            rows.retain(|row| !dropped.contains(&RowOfJoint { joint: id, form: row.form }));
+        }
+        let kept = cheapest(laws, ways, &mut computed);
+        rows.extend(kept.into_iter().map(|row| Row::new(Origin::Joint(id), &joint.name, row)));
     }
     let mut phases = laws.symbols.phases.iter().copied();
     for (index, constraint) in mechanism.constraints.iter().enumerate() {
@@ -114,6 +123,24 @@ pub(super) fn rows(laws: &Laws, tree: &SpanningTree, carrying: &[bool], dropped:
         rows.push(Row::new(Origin::Driver(DriverId(index)), &driver.name, JointRow::new(form, row)));
     }
     rows
+}
+
+/// The rows that take fewest operations beside what is computed anyway, which they are from then on.
+fn cheapest(laws: &Laws, mut ways: Vec<Vec<JointRow>>, computed: &mut Computed) -> Vec<JointRow> {
+    if ways.len() == 1 {
+        return ways.remove(0);
+    }
+    let graph = laws.g.graph();
+    let nodes = |rows: &Vec<JointRow>| -> Vec<Node> {
+        let of_row = |row: &JointRow| {
+            let Jet { value, columns, bias, .. } = &row.jet;
+            columns.values().copied().chain([*value, *bias]).collect::<Vec<_>>()
+        };
+        rows.iter().flat_map(of_row).collect()
+    };
+    let least = ways.into_iter().min_by_key(|rows| computed.cost(&graph, &nodes(rows))).unwrap_or_default();
+    computed.add(&graph, &nodes(&least));
+    least
 }
 
 /// The rows in whose place a load acts, seen from the first place.

@@ -138,8 +138,8 @@ pub fn solve(
         tried.push(order.sequence.clone());
         best = Some(less(best, written(order, Damping::InRows)));
     }
-    let mut best = best
-        .unwrap_or_else(|| written(system.without_prescribed(order::best(&pattern)), Damping::InRows));
+    let mut best =
+        best.unwrap_or_else(|| written(system.without_prescribed(order::best(&pattern)), Damping::InRows));
     if !equations.rows.is_empty() {
         let shifted = written(best.2.order.clone(), Damping::ByShift);
         best = less(Some(best), shifted);

@@ -13,8 +13,7 @@
 //! so that a product for each velocity and M v take the place of D v.
 
 use crate::equations::{Equations, Jet, Row, Symbols};
-use crate::symbolic::{Class, Graph, Node, Op, Sheet};
-use std::collections::BTreeMap;
+use crate::symbolic::{Class, Computed, Graph, Node, Op, Sheet};
 
 /// What rows ask of accelerations with Baumgarte's terms, α and β in 1/s. Source: Baumgarte, *Stabilization of constraints and integrals of
 /// motion in dynamical systems*, Computer Methods in Applied Mechanics and Engineering 1 (1972).
@@ -47,7 +46,7 @@ pub fn stabilised_by_estimate(equations: &Equations, beyond: usize) -> Asked {
     if by_shift + beyond < in_rows { second } else { first }
 }
 
-fn asked(equations: &Equations, damping: Damping, known: Known) -> Asked {
+fn asked(equations: &Equations, damping: Damping, known: Computed) -> Asked {
     let Equations { graph, symbols, rows, zero, .. } = equations;
     let g = graph.sheet();
     match damping {
@@ -63,11 +62,11 @@ fn asked(equations: &Equations, damping: Damping, known: Known) -> Asked {
 }
 
 /// M, D and Q.
-fn known(equations: &Equations) -> Known {
+fn known(equations: &Equations) -> Computed {
     let Equations { graph, rows, mass, forces, .. } = equations;
     let columns = rows.iter().flat_map(|row| row.jet.columns.values());
     let nodes: Vec<Node> = mass.values().chain(columns).chain(forces).copied().collect();
-    let mut known = Known::default();
+    let mut known = Computed::default();
     known.add(&graph.read(), &nodes);
     known
 }
@@ -76,7 +75,7 @@ fn known(equations: &Equations) -> Known {
 fn sums(
     g: Sheet,
     rows: &[Row],
-    mut known: Known,
+    mut known: Computed,
     symbols: &Symbols,
     rate: impl Fn(&Jet) -> Node,
 ) -> Vec<Node> {
@@ -92,56 +91,6 @@ fn sums(
         all.extend(taken);
     }
     all
-}
-
-/// What is computed anyway.
-#[derive(Clone, Default)]
-struct Known(Vec<bool>);
-
-impl Known {
-    fn has(&self, node: Node) -> bool {
-        self.0.get(node.index()).copied().unwrap_or(false)
-    }
-
-    fn add(&mut self, graph: &Graph, nodes: &[Node]) {
-        for node in self.beyond(graph, nodes) {
-            self.0[node.index()] = true;
-        }
-    }
-
-    /// What these need beyond it, each once.
-    fn beyond(&mut self, graph: &Graph, nodes: &[Node]) -> Vec<Node> {
-        self.0.resize(graph.len(), false);
-        let mut found = Vec::new();
-        let mut pending = nodes.to_vec();
-        while let Some(node) = pending.pop() {
-            if !std::mem::replace(&mut self.0[node.index()], true) {
-                found.push(node);
-                pending.extend(graph.op(node).operands());
-            }
-        }
-        found.iter().for_each(|node| self.0[node.index()] = false);
-        found
-    }
-
-    /// Operations that these take beyond it; a product that is needed once, by a sum, is one with that.
-    fn cost(&mut self, graph: &Graph, nodes: &[Node]) -> usize {
-        let beyond: Vec<Node> = self.beyond(graph, nodes);
-        let own: Vec<Node> =
-            beyond.into_iter().filter(|node| graph.class(*node) > Class::Parameter).collect();
-        let mut uses = BTreeMap::<Node, usize>::new();
-        let operands = own.iter().flat_map(|node| graph.op(*node).operands());
-        operands.chain(nodes.iter().copied()).for_each(|node| *uses.entry(node).or_default() += 1);
-        let is_absorbed = |node: Node| {
-            matches!(graph.op(node), Op::Mul(..)) && uses.get(&node) == Some(&1) && !self.has(node)
-        };
-        let operations = own.iter().map(|node| match graph.op(*node) {
-            Op::Constant(_) | Op::Symbol(_) => 0,
-            Op::Add(a, b) | Op::Sub(a, b) => usize::from(!(is_absorbed(a) || is_absorbed(b))),
-            _ => 1,
-        });
-        operations.sum()
-    }
 }
 
 /// The bias, and the others times their factors.
@@ -276,7 +225,7 @@ mod tests {
             panic!("three values");
         };
         assert!((apart - together).abs() < 1e-14 && (apart - expected).abs() < 1e-14, "{apart} {together}");
-        let mut known = Known::default();
+        let mut known = Computed::default();
         let costs = both.map(|row| known.cost(&g.graph(), &[row]));
         assert!(costs[1] < costs[0], "{costs:?}");
     }
@@ -296,24 +245,8 @@ mod tests {
         for (a, b) in values(&graph, &apart).into_iter().zip(values(&graph, &together)) {
             assert!((a - b).abs() < 1e-14, "{a} {b}");
         }
-        let mut known = Known::default();
+        let mut known = Computed::default();
         let costs = [apart, together].map(|rows| known.cost(&g.graph(), &rows));
         assert!(costs[1] + 6 <= costs[0], "{costs:?}");
-    }
-
-    #[test]
-    fn what_is_known_costs_nothing() {
-        let graph = Growing::default();
-        let g = graph.sheet();
-        let [a, b] = ["a", "b"].map(|name| g.symbol(name, Class::Position));
-        let product = a * b;
-        let sum = product + a;
-        let mut known = Known::default();
-        // Together one, unless the product is needed elsewhere.
-        assert_eq!(known.cost(&g.graph(), &[sum.bare]), 1);
-        assert_eq!(known.cost(&g.graph(), &[sum.bare, product.bare]), 2);
-        known.add(&g.graph(), &[product.bare]);
-        assert_eq!(known.cost(&g.graph(), &[product.bare]), 0);
-        assert_eq!(known.cost(&g.graph(), &[sum.bare]), 1);
     }
 }

@@ -1,6 +1,7 @@
 //! The symbolic core: one hash-consed graph of scalar operations, its operations as a closed table, exact derivatives, and an
 //! interpreter. It knows nothing of mechanisms, tokens or Rust and imports nothing else of the crate.
 
+mod computed;
 mod counts;
 mod derivative;
 mod evaluate;
@@ -13,6 +14,7 @@ mod sheet;
 mod substitute;
 mod table;
 
+pub use computed::Computed;
 pub use counts::Counts;
 pub use derivative::Gradient;
 pub use evaluate::{evaluate, evaluate_reachable, evaluate_with};

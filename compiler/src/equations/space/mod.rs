@@ -6,6 +6,7 @@ mod bodies;
 mod coordinates;
 mod dynamics;
 mod flexible;
+mod inertial;
 pub mod joints;
 mod kinematics;
 mod links;

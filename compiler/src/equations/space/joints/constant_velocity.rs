@@ -43,9 +43,9 @@ static TWIST: RowForm = RowForm::direction("twist", "turns along the shafts");
 pub fn rows(_: &Laws, ends: &Ends) -> Vec<JointRow> {
     let mut rows = ends.together();
     let (x1, y1) = (ends.e1.column(0), ends.e1.column(1));
-    let (x2, y2) = (ends.second_axis(0), ends.second_axis(1));
-    let (left, right) = (y2.project(x1), x2.project(y1));
-    let upright = x1.dot(x2.value()) + y1.dot(y2.value());
+    let (x2, y2) = (ends.e2.column(0), ends.e2.column(1));
+    let (left, right) = (ends.cosine(x1, y2), ends.cosine(y1, x2));
+    let upright = x1.dot(ends.direction(x2).value()) + y1.dot(ends.direction(y2).value());
     rows.push(JointRow::upright(&TWIST, left - right, upright));
     rows
 }

@@ -22,6 +22,7 @@ mod universal;
 mod view;
 
 use super::axes;
+use super::inertial::Inertial;
 use super::kinematics::{Kinematics, Spot};
 use super::links::GROUND;
 use super::vector::{self, Mat3, Vec3};
@@ -96,10 +97,12 @@ pub fn frames<'g>(laws: &Laws<'g>, joint: &Joint) -> Vec<On<'g, Mat3>> {
     joint.directions.iter().map(|axis| axes::joint_frame(laws, axis)).collect()
 }
 
-/// Constraint rows of a joint that carries nothing.
-pub fn rows(laws: &Laws, tree: &SpanningTree, id: JointId) -> Vec<JointRow> {
+/// Constraint rows of a joint that carries nothing, derived in both ways.
+pub fn rows(laws: &Laws, tree: &SpanningTree, id: JointId) -> Vec<Vec<JointRow>> {
     let joint = &laws.mechanism.joints[id.0];
-    rows_seen_from(laws, id, view::seen_from(laws.mechanism, tree, joint))
+    let seen_from = view::seen_from(laws.mechanism, tree, joint);
+    let ways = [Way::FromLinkToLink, Way::ByInertialMotions];
+    ways.into_iter().map(|way| rows_seen_from(laws, id, seen_from, way)).collect()
 }
 
 /// The rows in whose place a load acts: seen from what the first place belongs to, or from the ground if that is a particle.
@@ -109,12 +112,20 @@ pub fn rows_that_yield<'g>(laws: &Laws<'g>, id: JointId) -> Vec<JointRow> {
         Frame::Ground => true,
         Frame::Body(body) => laws.mechanism.bodies[body.0].form.turns,
     };
-    rows_seen_from(laws, id, if turns(first) { first } else { Frame::Ground })
+    rows_seen_from(laws, id, if turns(first) { first } else { Frame::Ground }, Way::FromLinkToLink)
 }
 
-fn rows_seen_from(laws: &Laws, id: JointId, seen_from: Frame) -> Vec<JointRow> {
-    let Some(ends) = Ends::of(laws, id, seen_from) else { return Vec::new() };
+fn rows_seen_from(laws: &Laws, id: JointId, seen_from: Frame, way: Way) -> Vec<JointRow> {
+    let Some(ends) = Ends::of(laws, id, seen_from, way) else { return Vec::new() };
     (of(laws.mechanism.joints[id.0].form).rows)(laws, &ends)
+}
+
+/// How rows are derived. Both give the same functions of the motion; which takes fewer operations depends on what is computed anyway.
+enum Way {
+    /// Vectors are carried from link to link, with their columns and with how they move against each (`vector_jet`).
+    FromLinkToLink,
+    /// By how the ground sees the links move (`inertial`).
+    ByInertialMotions,
 }
 
 /// The two ends of a joint in motion.
@@ -129,16 +140,22 @@ pub struct Ends<'g> {
     e2: On<'g, Mat3>,
     /// The axes along which components of p₁ − p₂ are taken, and by which link they are seen.
     seen_from: Frame,
+    /// Where rows are derived by it.
+    inertial: Option<Inertial<'g>>,
 }
 
 impl<'g> Ends<'g> {
-    fn of(laws: &Laws<'g>, id: JointId, seen_from: Frame) -> Option<Self> {
+    fn of(laws: &Laws<'g>, id: JointId, seen_from: Frame, way: Way) -> Option<Self> {
         let joint = &laws.mechanism.joints[id.0];
         let kinematics = laws.space()?;
         let (first, second) = (kinematics.spot(laws, &joint.first), kinematics.spot(laws, &joint.second));
         let frame = frames(laws, joint)[0];
         let (e1, e2) = (first.axes * frame, second.axes * frame);
-        Some(Ends { id, joint, kinematics, first, second, e1, e2, seen_from })
+        let inertial = match way {
+            Way::FromLinkToLink => None,
+            Way::ByInertialMotions => Some(Inertial::new(kinematics)),
+        };
+        Some(Ends { id, joint, kinematics, first, second, e1, e2, seen_from, inertial })
     }
 
     /// p₁ − p₂ along the axes of the body, or of the ground, by which it is seen.
@@ -150,8 +167,10 @@ impl<'g> Ends<'g> {
                 (placement.link, placement.axes)
             }
         };
-        let [first, second] = [&self.first, &self.second]
-            .map(|spot| self.kinematics.carry(spot.at.clone(), spot.link, link, Kind::Point));
+        let [first, second] = [&self.first, &self.second].map(|spot| match &self.inertial {
+            Some(inertial) if link == GROUND => inertial.point(spot.at.clone(), spot.link),
+            _ => self.kinematics.carry(spot.at.clone(), spot.link, link, Kind::Point),
+        });
         // Body ← link.
         (first - second).along(vector::transposed(&axes)).components()
     }
@@ -181,27 +200,33 @@ impl<'g> Ends<'g> {
         JointRow::new(&row::NORMAL, self.delta().project(self.e1.column(2)))
     }
 
-    /// An axis of E₂ as seen from the link of the first place.
-    fn second_axis(&self, k: usize) -> Moving<'g, VectorJet> {
-        self.direction(self.e2.column(k))
+    /// A direction on the second link as seen from the first.
+    fn direction(&self, w: On<'g, Vec3>) -> Moving<'g, VectorJet> {
+        self.kinematics.direction(&self.first, &self.second, w)
     }
 
-    fn direction(&self, u: On<'g, Vec3>) -> Moving<'g, VectorJet> {
-        self.kinematics.direction(&self.first, &self.second, u)
+    /// u·w of a direction on the first link and one on the second.
+    fn cosine(&self, u: On<'g, Vec3>, w: On<'g, Vec3>) -> Moving<'g> {
+        match &self.inertial {
+            Some(inertial) => inertial.cosine([&self.first, &self.second], u, w),
+            None => self.direction(w).project(u),
+        }
     }
 
     /// Rows `axis_1`, `axis_2`: x₁·z₂ and y₁·z₂, with z₁·z₂ positive.
     fn parallel(&self) -> Vec<JointRow> {
-        let z = self.second_axis(2);
-        let upright = self.e1.column(2).dot(z.value());
+        let z = self.e2.column(2);
+        let upright = self.e1.column(2).dot(self.direction(z).value());
         let components = row::AXIS.iter().enumerate();
-        components.map(|(k, form)| JointRow::upright(form, z.project(self.e1.column(k)), upright)).collect()
+        components
+            .map(|(k, form)| JointRow::upright(form, self.cosine(self.e1.column(k), z), upright))
+            .collect()
     }
 
     /// Row `angle`: x₁·y₂, with y₁·y₂ positive.
     fn unturned(&self) -> JointRow {
-        let y = self.second_axis(1);
-        let upright = self.e1.column(1).dot(y.value());
-        JointRow::upright(&row::ANGLE, y.project(self.e1.column(0)), upright)
+        let y = self.e2.column(1);
+        let upright = self.e1.column(1).dot(self.direction(y).value());
+        JointRow::upright(&row::ANGLE, self.cosine(self.e1.column(0), y), upright)
     }
 }

@@ -53,7 +53,7 @@ pub fn rows(laws: &Laws, ends: &Ends) -> Vec<JointRow> {
     let mut rows = ends.together();
     let [a, b] = [0, 1].map(|which| laws.vector(ends.joint.direction(which)).normalized());
     let (a, b) = (ends.first.axes * a, ends.second.axes * b);
-    rows.push(JointRow::new(&CROSS, ends.direction(b).project(a)));
+    rows.push(JointRow::new(&CROSS, ends.cosine(a, b)));
     rows
 }
 
