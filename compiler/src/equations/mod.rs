@@ -226,7 +226,7 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
     let carrying = tree.carrying(mechanism);
     let keeps = mechanism.options.redundant == Redundant::Keep;
     let dropped: &[RowOfJoint] = if keeps { &[] } else { &omitted.dropped };
-    let all = rows::rows(&laws, &tree, &carrying, dropped, computed);
+    let all = rows::rows(&laws, &tree, &carrying, dropped, Some(computed));
     let chosen = switch::choose(g, &all, &omitted.switches, &omitted.columns);
     let rows = switch::apply(g, &all, &omitted.switches, &chosen, keeps);
     let lambda = rows

@@ -3,6 +3,7 @@
 use super::couplings;
 use super::jet::{Jet, Moving};
 use super::laws::Laws;
+use super::space::joints::Way;
 use super::spanning_tree::SpanningTree;
 use super::{plane, space};
 use crate::diagnostics::Region;
@@ -82,14 +83,14 @@ pub struct RowOfJoint {
     pub form: &'static RowForm,
 }
 
-/// All rows, but for those `dropped`; where they can be derived in several ways, in the one that takes fewest operations beside what is
-/// `computed` anyway.
+/// All rows, but for those `dropped`; of the ways in which they can be derived, each joint's are in the one that takes fewest operations
+/// beside what is `computed` anyway, if that is said.
 pub(super) fn rows(
     laws: &Laws,
     tree: &SpanningTree,
     carrying: &[bool],
     dropped: &[RowOfJoint],
-    mut computed: Computed,
+    mut computed: Option<Computed>,
 ) -> Vec<Row> {
     let mechanism = laws.mechanism;
     let mut rows = Vec::new();
@@ -98,14 +99,18 @@ pub(super) fn rows(
         if !joint.holds() {
             continue;
         }
-        let mut ways = match mechanism.space {
-            Space::Planar => vec![plane::joints::rows(laws, joint)],
-            Space::Spatial => space::joints::rows(laws, tree, id),
-        };
-        for rows in &mut ways {
+        let kept = |mut rows: Vec<JointRow>| {
             rows.retain(|row| !dropped.contains(&RowOfJoint { joint: id, form: row.form }));
-        }
-        let kept = cheapest(laws, ways, &mut computed);
+            rows
+        };
+        let kept = match (mechanism.space, &mut computed) {
+            (Space::Planar, _) => kept(plane::joints::rows(laws, joint)),
+            (Space::Spatial, None) => kept(space::joints::rows(laws, tree, id, Way::FromLinkToLink)),
+            (Space::Spatial, Some(computed)) => {
+                let ways = [Way::FromLinkToLink, Way::ByInertialMotions];
+                cheapest(laws, ways.map(|way| kept(space::joints::rows(laws, tree, id, way))), computed)
+            }
+        };
         rows.extend(kept.into_iter().map(|row| Row::new(Origin::Joint(id), &joint.name, row)));
     }
     let mut phases = laws.symbols.phases.iter().copied();
@@ -126,12 +131,9 @@ pub(super) fn rows(
 }
 
 /// The rows that take fewest operations beside what is computed anyway, which they are from then on.
-fn cheapest(laws: &Laws, mut ways: Vec<Vec<JointRow>>, computed: &mut Computed) -> Vec<JointRow> {
-    if ways.len() == 1 {
-        return ways.remove(0);
-    }
+fn cheapest(laws: &Laws, ways: [Vec<JointRow>; 2], computed: &mut Computed) -> Vec<JointRow> {
     let graph = laws.g.graph();
-    let nodes = |rows: &Vec<JointRow>| -> Vec<Node> {
+    let nodes = |rows: &[JointRow]| -> Vec<Node> {
         let of_row = |row: &JointRow| {
             let Jet { value, columns, bias, .. } = &row.jet;
             columns.values().copied().chain([*value, *bias]).collect::<Vec<_>>()

@@ -32,6 +32,8 @@ mod programs;
 mod quantity;
 mod rows;
 mod scales;
+#[cfg(test)]
+mod ways;
 
 use crate::compiled::Compiled;
 use crate::messages;

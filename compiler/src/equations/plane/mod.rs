@@ -16,7 +16,7 @@ pub use kinematics::Kinematics;
 pub use moving_axes::MovingAxes;
 
 use super::{Consequences, Dynamics, Laws, Row, RowOfJoint, SpanningTree};
-use crate::symbolic::{Computed, Node, On, Scalar};
+use crate::symbolic::{Node, On, Scalar};
 use inertia::Massive;
 use vector::Pair;
 
@@ -55,8 +55,7 @@ pub fn consequences(
     let motions = bodies::motions(laws, &massive);
     let overlay = super::Kinematics::Plane(bodies::overlay(laws, &motions));
     let absolute = laws.of(&overlay);
-    let absolute_rows =
-        super::rows::rows(&absolute, tree, &tree.carrying(laws.mechanism), dropped, Computed::default());
+    let absolute_rows = super::rows::rows(&absolute, tree, &tree.carrying(laws.mechanism), dropped, None);
     let reactions =
         bodies::reactions(laws, &absolute, tree, &massive, &motions, rows, lambda, &absolute_rows);
     Consequences {

@@ -12,7 +12,7 @@ use super::vector::{self, Mat3, Vec3};
 use crate::equations::loads::penalty;
 use crate::equations::{BodyMotion, Consequences, Jet, Laws, Row, RowOfJoint, SpanningTree, loads};
 use crate::model::{BodyId, Frame, JointId};
-use crate::symbolic::{Computed, Node, On, Scalar};
+use crate::symbolic::{Node, On, Scalar};
 use std::collections::BTreeMap;
 
 /// Velocities of a body as laid over: three of its centre, world axes, and three of ω, body axes.
@@ -50,13 +50,8 @@ pub fn consequences(
     let moving = motions(laws, kinematics);
     let overlay = crate::equations::Kinematics::Space(overlay(laws, &moving));
     let absolute = laws.of(&overlay);
-    let absolute_rows = crate::equations::rows::rows(
-        &absolute,
-        tree,
-        &tree.carrying(laws.mechanism),
-        dropped,
-        Computed::default(),
-    );
+    let absolute_rows =
+        crate::equations::rows::rows(&absolute, tree, &tree.carrying(laws.mechanism), dropped, None);
     let reactions = reactions(laws, &absolute, tree, &moving, rows, lambda, &absolute_rows);
     Consequences { motions: moving.iter().map(Moving::flat).collect(), reactions }
 }

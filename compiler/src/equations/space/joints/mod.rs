@@ -97,12 +97,10 @@ pub fn frames<'g>(laws: &Laws<'g>, joint: &Joint) -> Vec<On<'g, Mat3>> {
     joint.directions.iter().map(|axis| axes::joint_frame(laws, axis)).collect()
 }
 
-/// Constraint rows of a joint that carries nothing, derived in both ways.
-pub fn rows(laws: &Laws, tree: &SpanningTree, id: JointId) -> Vec<Vec<JointRow>> {
+/// Constraint rows of a joint that carries nothing.
+pub fn rows(laws: &Laws, tree: &SpanningTree, id: JointId, way: Way) -> Vec<JointRow> {
     let joint = &laws.mechanism.joints[id.0];
-    let seen_from = view::seen_from(laws.mechanism, tree, joint);
-    let ways = [Way::FromLinkToLink, Way::ByInertialMotions];
-    ways.into_iter().map(|way| rows_seen_from(laws, id, seen_from, way)).collect()
+    rows_seen_from(laws, id, view::seen_from(laws.mechanism, tree, joint), way)
 }
 
 /// The rows in whose place a load acts: seen from what the first place belongs to, or from the ground if that is a particle.
@@ -121,7 +119,8 @@ fn rows_seen_from(laws: &Laws, id: JointId, seen_from: Frame, way: Way) -> Vec<J
 }
 
 /// How rows are derived. Both give the same functions of the motion; which takes fewer operations depends on what is computed anyway.
-enum Way {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Way {
     /// Vectors are carried from link to link, with their columns and with how they move against each (`vector_jet`).
     FromLinkToLink,
     /// By how the ground sees the links move (`inertial`).
