@@ -124,7 +124,7 @@ impl Gripper<::core::primitive::f64> {
     ///Degrees of freedom, drivers removed.
     pub const DEGREES_OF_FREEDOM: ::core::primitive::usize = 1;
     ///Operations of the default acceleration function (Baumgarte), a fused multiply-add counted once.
-    pub const OPERATIONS: ::core::primitive::usize = 86;
+    pub const OPERATIONS: ::core::primitive::usize = 84;
     ///The definition as written.
     pub const SOURCE: &'static ::core::primitive::str = (
         "# [doc = \" A four-bar that a torsion spring holds, with more inputs than it needs.\"] pub planar Gripper { param stiffness [N * m / rad] = 6 ; param length [m] = 0.9 ; param weight [kg] = 1.2 in 0.1 .. 10 ; input drive [N * m] ; input pull [N] ; gravity [m / s ^ 2] = (0 , - 9.81) ; rod crank { mass [kg] = weight ; length [m] = 0.4 ; } rod coupler { mass [kg] = 0.8 ; length [m] = length ; } rod rocker { mass [kg] = 0.6 ; length [m] = 0.7 ; } joint a : revolute (ground (0 , 0) [m] , crank . start) ; joint b : revolute (crank . end , coupler . start) ; joint c : revolute (coupler . end , rocker . end) ; joint d : revolute (ground (0.8 , 0) [m] , rocker . start) ; torsion_spring coil : torsion_spring (a , stiffness = stiffness , angle = 40 [deg] , damping = 0.2 [N * m * s / rad]) ; torque motor : torque (a) = drive ; force rope : force (coupler . center , direction = (1 , 2)) = pull ; start { a . angle [deg] = 70 ; a . rate [rad / s] = 1 ; d . angle [deg] ~ 80 ; coupler . angle [rad] ~ 0.3 ; } options { emit = (tangent) ; } expect { degrees_of_freedom = 1 ; } output reach [m] = coupler . center . x ; output swing [rad] = d . angle ; output swinging [rad / s] = d . rate ; output stored [J] = potential_energy ; }",
@@ -333,11 +333,11 @@ const _: () = {
             let a15 = crank_cos.mul_add(coupler_cos, a14);
             let a16 = k0 * a15;
             let a17 = coupler_rate_dot.mul_add(a16, a13);
-            let a18 = crank_sin * coupler_cos;
-            let a19 = crank_cos.mul_add(coupler_sin, -a18);
-            let a20 = k0 * a19;
-            let a21 = coupler_rate * coupler_rate;
-            let a22 = (-a21).mul_add(a20, a17);
+            let a18 = coupler_rate * coupler_rate;
+            let a19 = crank_sin * coupler_cos;
+            let a20 = crank_cos.mul_add(coupler_sin, -a19);
+            let a21 = k0 * a20;
+            let a22 = (-a21).mul_add(a18, a17);
             let a23 = R::from_f64(0.09799999999999998) * rocker_rate_dot;
             let a24 = R::from_f64(2.0601).mul_add(rocker_cos, a23);
             let a25 = R::from_f64(0.7) * rocker_cos;
@@ -356,7 +356,7 @@ const _: () = {
             let a38 = (-a37).mul_add(a9, a36);
             let a39 = crank_rate_dot.mul_add(a16, a38);
             let a40 = crank_rate * crank_rate;
-            let a41 = a40.mul_add(a20, a39);
+            let a41 = a40.mul_add(a21, a39);
             *out = [a22, a28, a41];
         }
         fn tangent(
@@ -391,11 +391,11 @@ const _: () = {
             let k5 = constants[5];
             let k6 = constants[6];
             let k7 = constants[7];
-            let a0 = crank_sin * coupler_sin;
-            let a1 = crank_cos.mul_add(coupler_cos, a0);
-            let a2 = k0 * a1;
-            let a3 = coupler_rate * coupler_rate;
-            let a4 = a3 * a2;
+            let a0 = coupler_rate * coupler_rate;
+            let a1 = crank_sin * coupler_sin;
+            let a2 = crank_cos.mul_add(coupler_cos, a1);
+            let a3 = k0 * a2;
+            let a4 = a3 * a0;
             let a5 = (-k6).mul_add(crank_sin, stiffness);
             let a6 = R::from_f64(0.4) * crank_cos;
             let a7 = (-a6).mul_add(lambda_c_x, a5);
@@ -417,7 +417,7 @@ const _: () = {
             let a23 = R::from_f64(0.7) * rocker_sin;
             let a24 = a23.mul_add(lambda_c_y, a22);
             let a25 = crank_rate * crank_rate;
-            let a26 = a25 * a2;
+            let a26 = a3 * a25;
             let a27 = crank_rate_dot.mul_add(a16, -a26);
             let a28 = (-k7).mul_add(coupler_sin, a26);
             let a29 = (-crank_rate_dot).mul_add(a16, a28);
@@ -430,10 +430,10 @@ const _: () = {
             let a36 = length * coupler_sin;
             let a37 = (-a36).mul_add(lambda_c_y, a35);
             let a38 = R::from_f64(2.0) * coupler_rate;
-            let a39 = a38 * a16;
+            let a39 = a16 * a38;
             let a40 = -a39;
             let a41 = R::from_f64(2.0) * crank_rate;
-            let a42 = a41 * a16;
+            let a42 = a16 * a41;
             *stiffness_out = [a18, a19, a24, a27, a37];
             *damping_out = [R::from_f64(0.2), a40, a42];
         }

@@ -1,7 +1,7 @@
 //! What is written in two ways, of which the compiler takes the one that counts less, is the same both ways, whichever it takes.
 
 use super::machine::{Random, state};
-use crate::Compiled;
+use crate::compiled::Compiled;
 use crate::equations::space::joints::{self, Way};
 use crate::equations::{JointRow, Laws};
 use crate::model::JointId;

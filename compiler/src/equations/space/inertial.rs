@@ -3,7 +3,7 @@
 //! Along w = at + axes (slide + R u), with ẋ, ẍ as the ground sees them, in the axes of each link, at v̇ = 0:
 //!   ẇ = ω × s + ṡ + axes R u̇,   ẅ = U s + 2 ω × ṡ + s̈ + axes R ü,
 //! where s = at + axes slide is what the parent holds, and ṡ, s̈ how that moves in it; nothing is turned but the sums.
-//! (Luh, Walker, Paul, Journal of Dynamic Systems, Measurement and Control 102, 1980, eqs. 10–13.)
+//! (Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 5; Luh, Walker, Paul 1980.)
 
 use super::dynamics::{LinkMotion, motions};
 use super::kinematics::{Kinematics, Spot};
