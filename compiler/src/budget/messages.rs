@@ -81,6 +81,12 @@ fn instead(
     text
 }
 
+pub fn not_emitted(function: &str) -> String {
+    format!(
+        "`{function}` is not emitted for this definition, so that there is nothing to count; what is emitted follows from `options {{ emit = …; solution = …; }}`"
+    )
+}
+
 pub fn unknown_function(function: &str, known: &[&str]) -> String {
     match closest(function, known.iter().copied()) {
         Some(similar) => format!("there is no function \"{function}\" to count; did you mean `{similar}`?"),

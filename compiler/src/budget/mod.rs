@@ -32,6 +32,10 @@ pub fn budget(compiled: &Compiled, compile: &Compile, errors: &mut Diagnostics) 
             errors.error(budget.span, messages::unknown_function(name, &known));
             continue;
         };
+        if !(function.signature().emitted)(&compiled.complete) {
+            errors.error(budget.span, messages::not_emitted(name));
+            continue;
+        }
         let found = taken(budget.of, program);
         if found <= budget.limit {
             continue;
