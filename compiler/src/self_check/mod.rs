@@ -32,13 +32,12 @@ mod programs;
 mod quantity;
 mod rows;
 mod scales;
-#[cfg(test)]
-mod ways;
 
 use crate::compiled::Compiled;
 use crate::messages;
 use crate::schedule::Inputs;
-use machine::{Machine, Random};
+use machine::Machine;
+pub use machine::{Random, state};
 use quantity::Quantity;
 use std::fmt;
 

@@ -8,6 +8,7 @@ mod repetition;
 mod self_check;
 mod signatures;
 mod spread;
+mod ways;
 
 use linkwright_compiler::diagnostics::Diagnostics;
 use linkwright_compiler::{Compiled, compile};

@@ -1,13 +1,14 @@
 //! What is written in two ways, of which the compiler takes the one that counts less, is the same both ways, whichever it takes.
 
-use super::machine::{Random, state};
-use crate::compiled::Compiled;
-use crate::equations::space::joints::{self, Way};
-use crate::equations::{JointRow, Laws};
-use crate::model::JointId;
-use crate::schedule::Inputs;
-use crate::solve::{Damping, null_space};
-use crate::symbolic::{Node, Op, evaluate};
+use crate::compiled;
+use linkwright_compiler::Compiled;
+use linkwright_compiler::equations::space::joints::{self, Way};
+use linkwright_compiler::equations::{JointRow, Laws};
+use linkwright_compiler::model::JointId;
+use linkwright_compiler::schedule::Inputs;
+use linkwright_compiler::self_check::{Random, state};
+use linkwright_compiler::solve::{Damping, null_space};
+use linkwright_compiler::symbolic::{Node, Op, evaluate};
 
 /// Two bodies between which the joint `k` closes a loop: `HOLD` hangs them on something.
 const PAIR: &str = "spatial Pair {
@@ -43,11 +44,8 @@ const JOINTS: [&str; 8] = [
     "distance(a.center, b.tip, length [m] = 0.4)",
 ];
 
-fn compiled(source: &str) -> Compiled {
-    match crate::compile(source.parse().expect("the source consists of tokens"), None) {
-        Ok(compiled) => compiled,
-        Err(errors) => panic!("{source}\n{errors:?}"),
-    }
+fn pair(hold: &str, joint: &str) -> Compiled {
+    compiled(&PAIR.replace("HOLD", hold).replace("JOINT", joint)).expect("it compiles")
 }
 
 /// Values of nodes at a state.
@@ -81,7 +79,7 @@ fn rows_of_joints() {
     let mut random = Random::new(3);
     for hold in HOLDS {
         for joint in JOINTS {
-            let compiled = compiled(&PAIR.replace("HOLD", hold).replace("JOINT", joint));
+            let compiled = pair(hold, joint);
             let equations = &compiled.complete.equations;
             let g = equations.graph.sheet();
             let laws = Laws::moving(
@@ -121,7 +119,7 @@ fn rows_of_joints() {
 fn baumgartes_first_term() {
     let mut random = Random::new(5);
     for hold in &HOLDS[..2] {
-        let compiled = compiled(&PAIR.replace("HOLD", hold).replace("JOINT", JOINTS[1]));
+        let compiled = pair(hold, JOINTS[1]);
         let equations = &compiled.complete.equations;
         let solutions = [Damping::InRows, Damping::ByShift].map(|damping| {
             null_space(equations, &compiled.partition, false, None, Some(damping), usize::MAX)
