@@ -108,7 +108,7 @@ impl Random {
     }
 
     /// In [−1, 1).
-    pub fn next(&mut self) -> f64 {
+    pub fn number(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
@@ -118,7 +118,7 @@ impl Random {
     }
 
     fn vector(&mut self, length: usize) -> Vec<f64> {
-        (0..length).map(|_| self.next()).collect()
+        (0..length).map(|_| self.number()).collect()
     }
 }
 
@@ -152,35 +152,35 @@ fn any_state(compiled: &Compiled, random: &mut Random, reach: f64, vary: bool) -
     let size = size(compiled);
     let sized = |random: &mut Random, factor: f64| -> Vec<f64> {
         let scale = |k: usize| factor * if k < lengths { size } else { 1.0 };
-        (0..n).map(|k| scale(k) * random.next()).collect()
+        (0..n).map(|k| scale(k) * random.number()).collect()
     };
     let increment = sized(random, reach);
     let parameters = compiled.mechanism.parameters.iter().map(|parameter| {
-        let varied = parameter.default + 0.1 * random.next() * parameter.default.abs();
+        let varied = parameter.default + 0.1 * random.number() * parameter.default.abs();
         let (least, most) = parameter.bounds.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
         if vary { varied.clamp(least, most) } else { parameter.default }
     });
     let parameters = parameters.collect();
     let mut q = retract(equations, &assembly.q, &increment);
     for angle in 0..equations.layout.angles.len() {
-        q[equations.layout.turns(angle)] += (3.0 * random.next()).round();
+        q[equations.layout.turns(angle)] += (3.0 * random.number()).round();
     }
     Inputs {
         parameters,
         phases: assembly.phases.clone(),
-        time: 0.5 + 0.5 * random.next(),
+        time: 0.5 + 0.5 * random.number(),
         q,
         v: sized(random, 1.0),
         inputs: random.vector(equations.symbols.inputs.len()),
         internal: random.vector(equations.symbols.internal.len()),
         // Open and closed in turn, and not drawn: what is random for a mechanism without gates stays what it is.
         gates: (0..equations.symbols.gates.len()).map(|gate| f64::from(u8::from(gate % 2 == 0))).collect(),
-        two_alpha: 10.0 + random.next(),
-        beta_squared: 25.0 + random.next(),
+        two_alpha: 10.0 + random.number(),
+        beta_squared: 25.0 + random.number(),
         acceleration: sized(random, 3.0),
         lambda: random.vector(equations.rows.len()),
         targets: random.vector(compiled.complete.conditions.rows.len()),
-        compliance: 0.01 * (2.0 + random.next()),
+        compliance: 0.01 * (2.0 + random.number()),
         given_forces: random.vector(n),
         given_rows: random.vector(equations.rows.len()),
         kept: random.vector(compiled.complete.further.kept().len()),
