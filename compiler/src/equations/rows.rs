@@ -3,7 +3,7 @@
 use super::couplings;
 use super::jet::{Jet, Moving};
 use super::laws::Laws;
-use super::space::joints::Way;
+use super::space::Inertial;
 use super::spanning_tree::SpanningTree;
 use super::{plane, space};
 use crate::diagnostics::Region;
@@ -85,14 +85,15 @@ pub struct RowOfJoint {
 
 /// All rows, but for those `dropped`; of the ways in which they can be derived, each joint's are in the one that takes fewest operations
 /// beside what is `computed` anyway, if that is said.
-pub(super) fn rows(
-    laws: &Laws,
+pub(super) fn rows<'g>(
+    laws: &Laws<'g>,
     tree: &SpanningTree,
     carrying: &[bool],
     dropped: &[RowOfJoint],
     mut computed: Option<Computed>,
 ) -> Vec<Row> {
     let mechanism = laws.mechanism;
+    let inertial = computed.as_ref().and(laws.space()).map(Inertial::new);
     let mut rows = Vec::new();
     for (index, joint) in mechanism.joints.iter().enumerate().filter(|(index, _)| !carrying[*index]) {
         let id = JointId(index);
@@ -103,12 +104,12 @@ pub(super) fn rows(
             rows.retain(|row| !dropped.contains(&RowOfJoint { joint: id, form: row.form }));
             rows
         };
+        let in_space = |inertial: Option<&Inertial<'g>>| kept(space::joints::rows(laws, tree, id, inertial));
         let kept = match (mechanism.space, &mut computed) {
             (Space::Planar, _) => kept(plane::joints::rows(laws, joint)),
-            (Space::Spatial, None) => kept(space::joints::rows(laws, tree, id, Way::FromLinkToLink)),
+            (Space::Spatial, None) => in_space(None),
             (Space::Spatial, Some(computed)) => {
-                let ways = [Way::FromLinkToLink, Way::ByInertialMotions];
-                cheapest(laws, ways.map(|way| kept(space::joints::rows(laws, tree, id, way))), computed)
+                cheapest(laws, [None, inertial.as_ref()].map(in_space), computed)
             }
         };
         rows.extend(kept.into_iter().map(|row| Row::new(Origin::Joint(id), &joint.name, row)));

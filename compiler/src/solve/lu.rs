@@ -3,7 +3,7 @@
 //! U has unit blocks on its diagonal (Crout), so that a right-hand side costs one product for each entry of L and of U and a small
 //! square for each block.
 
-use super::null_space::Sparse;
+use super::symmetric::Sparse;
 use super::{Partition, Pivot};
 use crate::symbolic::{Node, Op, Scalar, Sheet};
 use std::collections::BTreeSet;

@@ -7,15 +7,12 @@ use super::elimination::{self, Entries, Kind};
 use super::lu::{self, Lu};
 use super::stabilised::{Asked, Damping, stabilised, stabilised_by_estimate};
 use super::stored::{frontier, symbols};
-use super::symmetric::{Symmetric, sparse};
+use super::symmetric::{Sparse, Symmetric, sparse};
 use super::{Partition, Solution, friction};
 use crate::equations::Equations;
 use crate::order::{self, Pattern};
 use crate::symbolic::{Node, Scalar, Sheet, all_bare};
 use std::collections::BTreeMap;
-
-/// A sparse vector by its entries that are not zero.
-pub(super) type Sparse<'g> = BTreeMap<usize, Scalar<'g>>;
 
 /// The expressions that `options { emit = (null_space) }` asks for.
 #[derive(Clone, Debug)]

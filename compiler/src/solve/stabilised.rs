@@ -20,7 +20,7 @@ use crate::symbolic::{Class, Computed, Graph, Node, Op, Sheet};
 pub struct Asked {
     /// −γ + 2α (D v − ν) + β² Φ, an entry for each row, in its unit (m, rad or 1) per s², or −γ − 2α ν + β² Φ where there is a shift.
     pub rows: Vec<Node>,
-    /// Zero, or 2α v: the rows then ask this of v̇ + 2α v in place of v̇.
+    /// Zero, or 2α v, an entry for each velocity, in its unit (m/s or rad/s) per s: the rows then ask this of v̇ + 2α v in place of v̇.
     pub shift: Vec<Node>,
 }
 

@@ -1,8 +1,11 @@
 //! M by rows, both triangles.
 
 use super::elimination::Entries;
-use super::null_space::Sparse;
 use crate::symbolic::{Scalar, Sheet};
+use std::collections::BTreeMap;
+
+/// A sparse vector by its entries that are not zero.
+pub type Sparse<'g> = BTreeMap<usize, Scalar<'g>>;
 
 pub struct Symmetric<'g> {
     pub rows: Vec<Vec<(usize, Scalar<'g>)>>,

@@ -2,7 +2,7 @@
 
 use crate::compiled;
 use linkwright_compiler::Compiled;
-use linkwright_compiler::equations::space::joints::{self, Way};
+use linkwright_compiler::equations::space::{Inertial, joints};
 use linkwright_compiler::equations::{JointRow, Laws};
 use linkwright_compiler::model::JointId;
 use linkwright_compiler::schedule::Inputs;
@@ -91,8 +91,8 @@ fn rows_of_joints() {
             );
             let id = compiled.mechanism.joints.iter().position(|joint| joint.name.text == "k");
             let id = JointId(id.expect("it is there"));
-            let ways = [Way::FromLinkToLink, Way::ByInertialMotions]
-                .map(|way| joints::rows(&laws, &equations.tree, id, way));
+            let inertial = Inertial::new(laws.space().expect("a spatial mechanism"));
+            let ways = [None, Some(&inertial)].map(|way| joints::rows(&laws, &equations.tree, id, way));
             let part = |row: &JointRow, which: usize| -> Vec<Node> {
                 let columns = (0..equations.symbols.v.len())
                     .map(|velocity| row.jet.columns.get(&velocity).copied().unwrap_or(equations.zero));

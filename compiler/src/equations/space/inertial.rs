@@ -26,12 +26,13 @@ impl<'g> Inertial<'g> {
         Inertial { kinematics, motions }
     }
 
-    /// A place on a link, as seen from the ground.
+    /// A place on a link, as seen from the ground, m: ẋ and ẍ at v̇ = 0 as above, m/s and m/s².
     pub fn point(&self, at: VectorJet, from: LinkId) -> Moving<'g, VectorJet> {
         self.seen(at, from, GROUND, Kind::Point)
     }
 
-    /// u·w of directions that are fixed on the links of two places. With n = u × w, the rate is n·(ω₁ − ω₂).
+    /// u·w of directions that are fixed on the links of two places. With n = u × w the rate is n·(ω₁ − ω₂), so that the entry of D is a·n for a
+    /// velocity about a on the way to the first, and −a·n on that to the second; ü·w + 2 u̇·ẇ + u·ẅ at v̇ = 0.
     pub fn cosine(&self, [first, second]: [&Spot<'g>; 2], u: On<'g, Vec3>, w: On<'g, Vec3>) -> Moving<'g> {
         let kinematics = self.kinematics;
         let g = kinematics.g;

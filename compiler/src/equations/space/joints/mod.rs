@@ -97,10 +97,17 @@ pub fn frames<'g>(laws: &Laws<'g>, joint: &Joint) -> Vec<On<'g, Mat3>> {
     joint.directions.iter().map(|axis| axes::joint_frame(laws, axis)).collect()
 }
 
-/// Constraint rows of a joint that carries nothing.
-pub fn rows(laws: &Laws, tree: &SpanningTree, id: JointId, way: Way) -> Vec<JointRow> {
+/// Constraint rows of a joint that carries nothing: by how the ground sees the links move, if that is given, else from link to link, with
+/// columns and with how each moves against the next (`vector_jet`). Both give the same functions of the motion; which takes fewer operations
+/// depends on what is computed anyway.
+pub fn rows<'g>(
+    laws: &Laws<'g>,
+    tree: &SpanningTree,
+    id: JointId,
+    inertial: Option<&Inertial<'g>>,
+) -> Vec<JointRow> {
     let joint = &laws.mechanism.joints[id.0];
-    rows_seen_from(laws, id, view::seen_from(laws.mechanism, tree, joint), way)
+    rows_seen_from(laws, id, view::seen_from(laws.mechanism, tree, joint), inertial)
 }
 
 /// The rows in whose place a load acts: seen from what the first place belongs to, or from the ground if that is a particle.
@@ -110,25 +117,21 @@ pub fn rows_that_yield<'g>(laws: &Laws<'g>, id: JointId) -> Vec<JointRow> {
         Frame::Ground => true,
         Frame::Body(body) => laws.mechanism.bodies[body.0].form.turns,
     };
-    rows_seen_from(laws, id, if turns(first) { first } else { Frame::Ground }, Way::FromLinkToLink)
+    rows_seen_from(laws, id, if turns(first) { first } else { Frame::Ground }, None)
 }
 
-fn rows_seen_from(laws: &Laws, id: JointId, seen_from: Frame, way: Way) -> Vec<JointRow> {
-    let Some(ends) = Ends::of(laws, id, seen_from, way) else { return Vec::new() };
+fn rows_seen_from<'g>(
+    laws: &Laws<'g>,
+    id: JointId,
+    seen_from: Frame,
+    inertial: Option<&Inertial<'g>>,
+) -> Vec<JointRow> {
+    let Some(ends) = Ends::of(laws, id, seen_from, inertial) else { return Vec::new() };
     (of(laws.mechanism.joints[id.0].form).rows)(laws, &ends)
 }
 
-/// How rows are derived. Both give the same functions of the motion; which takes fewer operations depends on what is computed anyway.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Way {
-    /// Vectors are carried from link to link, with their columns and with how they move against each (`vector_jet`).
-    FromLinkToLink,
-    /// By how the ground sees the links move (`inertial`).
-    ByInertialMotions,
-}
-
 /// The two ends of a joint in motion.
-pub struct Ends<'g> {
+pub struct Ends<'a, 'g> {
     id: JointId,
     joint: &'g Joint,
     kinematics: On<'g, &'g Kinematics>,
@@ -140,20 +143,21 @@ pub struct Ends<'g> {
     /// The axes along which components of p₁ − p₂ are taken, and by which link they are seen.
     seen_from: Frame,
     /// Where rows are derived by it.
-    inertial: Option<Inertial<'g>>,
+    inertial: Option<&'a Inertial<'g>>,
 }
 
-impl<'g> Ends<'g> {
-    fn of(laws: &Laws<'g>, id: JointId, seen_from: Frame, way: Way) -> Option<Self> {
+impl<'a, 'g> Ends<'a, 'g> {
+    fn of(
+        laws: &Laws<'g>,
+        id: JointId,
+        seen_from: Frame,
+        inertial: Option<&'a Inertial<'g>>,
+    ) -> Option<Self> {
         let joint = &laws.mechanism.joints[id.0];
         let kinematics = laws.space()?;
         let (first, second) = (kinematics.spot(laws, &joint.first), kinematics.spot(laws, &joint.second));
         let frame = frames(laws, joint)[0];
         let (e1, e2) = (first.axes * frame, second.axes * frame);
-        let inertial = match way {
-            Way::FromLinkToLink => None,
-            Way::ByInertialMotions => Some(Inertial::new(kinematics)),
-        };
         Some(Ends { id, joint, kinematics, first, second, e1, e2, seen_from, inertial })
     }
 
@@ -166,7 +170,7 @@ impl<'g> Ends<'g> {
                 (placement.link, placement.axes)
             }
         };
-        let [first, second] = [&self.first, &self.second].map(|spot| match &self.inertial {
+        let [first, second] = [&self.first, &self.second].map(|spot| match self.inertial {
             Some(inertial) if link == GROUND => inertial.point(spot.at.clone(), spot.link),
             _ => self.kinematics.carry(spot.at.clone(), spot.link, link, Kind::Point),
         });
@@ -206,7 +210,7 @@ impl<'g> Ends<'g> {
 
     /// u·w of a direction on the first link and one on the second.
     fn cosine(&self, u: On<'g, Vec3>, w: On<'g, Vec3>) -> Moving<'g> {
-        match &self.inertial {
+        match self.inertial {
             Some(inertial) => inertial.cosine([&self.first, &self.second], u, w),
             None => self.direction(w).project(u),
         }
