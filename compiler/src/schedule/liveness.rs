@@ -1,4 +1,4 @@
-//! How long the results of a program live: what cuts long programs, and what budgets of live values count.
+//! How long the results of a program live: what orders and cuts long programs, and what budgets of live values count.
 //!
 //! A result lives from the instruction that computes it to the last one that uses it; an output lives to the end. An
 //! argument of a function, such as q and v, lives with its caller and does not count.
@@ -46,4 +46,18 @@ pub fn live(last_use: &[usize]) -> Vec<usize> {
 /// The largest number of results that are alive at once, in the emitted order.
 pub fn live_values(program: &Program) -> usize {
     live(&last_uses(program)).into_iter().max().unwrap_or(0)
+}
+
+/// Of each of the first values of a program whether it is needed after them.
+pub fn needed_after(program: &Program, front: usize) -> Vec<bool> {
+    let mut needed = vec![false; front];
+    let later = program.instructions[front..].iter().flat_map(|instruction| instruction.operands());
+    for operand in later.chain(program.outputs.iter().copied()) {
+        if let Operand::Value(value) = operand
+            && (value as usize) < front
+        {
+            needed[value as usize] = true;
+        }
+    }
+    needed
 }

@@ -2,10 +2,12 @@
 //!
 //! AFTER THIS POINT there is no graph, only instructions in order.
 
+mod arrange;
 mod bounds;
 mod count;
 mod cut;
 mod evaluate;
+mod fewest_alive;
 mod interleave;
 mod liveness;
 mod program;
@@ -15,6 +17,7 @@ mod rounds;
 mod sections;
 mod select;
 mod share;
+mod stretch;
 
 pub use crate::functions::{Function, outputs};
 pub use crate::symbolic::Counts;
@@ -80,17 +83,17 @@ pub fn schedule(complete: &Complete, optimized: &Optimized) -> Programs {
             repetition::roll(selected, strands, &lists);
         }
     }
-    let shared = Function::SOLUTIONS.map(|known| {
+    let fronts = Function::SOLUTIONS.map(|known| {
         let pair = selected.iter_mut().filter(|(function, _)| known.contains(function));
         let mut pair = pair.map(|(_, program)| program);
         match (pair.next(), pair.next()) {
             (Some(plain), Some(stabilised)) => share::share(plain, stabilised),
-            _ => 0,
+            _ => Vec::new(),
         }
     });
     let in_order = |(function, selected): (Function, Selected)| {
-        let shared = function.pair().map_or(0, |pair| shared[pair]);
-        let selected = interleave::interleave(selected, shared);
+        let front = function.pair().map_or(&[][..], |pair| &fronts[pair]);
+        let selected = arrange::arrange(selected, front);
         let sections = match selected.program.rolled {
             Some(_) => Vec::new(),
             None => sections::sections(complete, function, &selected.nodes),
@@ -98,7 +101,7 @@ pub fn schedule(complete: &Complete, optimized: &Optimized) -> Programs {
         (function, Program { sections, ..selected.program })
     };
     let functions = selected.into_iter().map(in_order).collect();
-    Programs { functions, prepared: optimized.hoisted.len(), shared }
+    Programs { functions, prepared: optimized.hoisted.len(), shared: fronts.map(|front| front.len()) }
 }
 
 /// Operations of a function with these outputs, as they will be emitted.

@@ -4,6 +4,7 @@
 //! factored alike. With that part in front, instruction for instruction, its text and its machine code are
 //! needed once.
 
+use super::liveness::needed_after;
 use super::program::{Instruction, Operand, Program};
 use super::select::Selected;
 use crate::symbolic::Node;
@@ -13,11 +14,12 @@ use std::collections::BTreeMap;
 /// in the size of a function. Shorter ones stay in one piece, which is faster than two.
 pub const LONG: usize = 2000;
 
-/// Puts what they have in common in front of both programs; says how many instructions that is.
-pub fn share(one: &mut Selected, other: &mut Selected) -> usize {
+/// Puts what they have in common in front of both programs; says of each instruction there whether either program needs its result
+/// further on.
+pub fn share(one: &mut Selected, other: &mut Selected) -> Vec<bool> {
     let stays = |program: &Program| program.instructions.len() <= LONG || program.rolled.is_some();
     if stays(&one.program) || stays(&other.program) {
-        return 0;
+        return Vec::new();
     }
     // For each instruction of `other` the same of `one`: same operation, operands in common.
     let mut of_node: BTreeMap<Node, Vec<u32>> = BTreeMap::new();
@@ -44,7 +46,8 @@ pub fn share(one: &mut Selected, other: &mut Selected) -> usize {
     let second = in_front(other.nodes.len(), shared.iter().map(|(_, b)| *b).collect());
     *one = std::mem::take(one).in_order(&first);
     *other = std::mem::take(other).in_order(&second);
-    shared.len()
+    let needed = [one, other].map(|selected| needed_after(&selected.program, shared.len()));
+    needed[0].iter().zip(&needed[1]).map(|(one, other)| *one || *other).collect()
 }
 
 /// The instruction on the operands of the other program; `None` if it has not got them.
