@@ -10,7 +10,6 @@ use crate::diagnostics::Diagnostics;
 use crate::functions::{Function, Shape};
 use crate::model::{Coordinate, Expr, LoadId, Mechanism, Quantity};
 use crate::schedule::Programs;
-use crate::solve::Partition;
 use crate::solve::table::Table;
 use crate::symbolic::Node;
 
@@ -37,8 +36,6 @@ pub struct Compiled {
     pub table: Table,
     /// Independent coordinates, indices into the conditions.
     pub independent: Vec<usize>,
-    /// The dependent velocity of each row that is not idle.
-    pub partition: Partition,
     /// Masses and inertias that depend on parameters, and whether they must be positive.
     pub masses: Vec<(String, bool)>,
     pub choice: Choice,

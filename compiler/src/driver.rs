@@ -169,9 +169,9 @@ pub fn compile_model(
     let braking = check::braking(&mechanism, &equations, &solved, &assembly, &mut errors);
     // AFTER THIS POINT every state has its start.
     let (conditions, independent) = equations.conditions.with(&mechanism, &equations, &assembly.independent);
-    let partition = assemble::partition(&mechanism, &equations, &conditions, &assembly, &independent);
+    let partitions = assemble::partitions(&mechanism, &equations, &conditions, &assembly, &independent);
     let further =
-        Further::of(&mut equations, &solved, &mechanism.options, &partition, &schedule::count_outputs);
+        Further::of(&mut equations, &solved, &mechanism.options, &partitions, &schedule::count_outputs);
     let (conditions, tangents) = if mechanism.options.emit.tangent {
         let others = assemble::completion(&mechanism, &equations, &conditions, &assembly, &independent);
         let (conditions, others) = conditions.with(&mechanism, &equations, &others);
@@ -197,7 +197,6 @@ pub fn compile_model(
         hoisted: optimized.hoisted.nodes,
         table,
         independent,
-        partition,
         masses,
         choice,
         blows,

@@ -87,7 +87,8 @@ pub struct Tables {
 
 impl Tables {
     pub fn of(compiled: &Compiled) -> Tables {
-        let Compiled { mechanism, complete, partition, table, .. } = compiled;
+        let Compiled { mechanism, complete, table, .. } = compiled;
+        let partition = &complete.further.partition;
         let equations = &complete.equations;
         let pattern = |matrix: &Sparse| matrix.places(complete).map(pair).collect();
         let stated = |rate: bool| {

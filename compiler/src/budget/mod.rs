@@ -134,7 +134,8 @@ fn in_independent_velocities(compiled: &Compiled, function: Function) -> Option<
     let massless = !solved.massless.rows.is_empty();
     // What takes more helps nobody.
     let most = solved.counts.total();
-    let written = solve::null_space(&complete.equations, &compiled.partition, massless, None, None, most)?;
+    let written =
+        solve::null_space(&complete.equations, &complete.further.partition, massless, None, None, most)?;
     complete.further.null_space = Some(written);
     complete.further.leads = true;
     let function = independent[place];

@@ -32,12 +32,14 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
         let idle = tables::indices(equations.idle.iter().copied());
         tables::method(text, "idle", "&[u16]", &idle);
     }
-    if compiled.partition.pivots().next().is_some() {
-        let pivots = tables::pairs(compiled.partition.pivots().map(|pivot| (pivot.row, pivot.velocity)));
+    if compiled.complete.further.partition.pivots().next().is_some() {
+        let pivots = tables::pairs(
+            compiled.complete.further.partition.pivots().map(|pivot| (pivot.row, pivot.velocity)),
+        );
         tables::method(text, "dependent", "&[(u16, u16)]", &pivots);
     }
-    if compiled.partition.scales.iter().any(|scale| *scale != 1.0) {
-        let scales = array(compiled.partition.scales.iter().map(|scale| literal(*scale)));
+    if compiled.complete.further.partition.scales.iter().any(|scale| *scale != 1.0) {
+        let scales = array(compiled.complete.further.partition.scales.iter().map(|scale| literal(*scale)));
         tables::method(text, "scales", "&[f64]", &format!("&{scales}"));
     }
     let massless = &compiled.complete.solved.massless;
@@ -61,7 +63,7 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
     solutions::factorisation(text, emitter);
     solutions::jacobian(text, emitter);
     let numbers = |values: &[f64]| array(values.iter().map(|value| constant(*value)));
-    let sizes = numbers(&compiled.partition.row_sizes);
+    let sizes = numbers(&compiled.complete.further.partition.row_sizes);
     let _ = writeln!(text, "fn row_sizes(&self) -> Lambda<R> {{ {sizes} }}");
     let _ = writeln!(text, "fn start_q(&self) -> Q<R> {{ {} }}", numbers(&compiled.assembly.q));
     let _ = writeln!(text, "fn start_v(&self) -> V<R> {{ {} }}", numbers(&compiled.assembly.v));

@@ -268,8 +268,14 @@ impl Writer<'_> {
         let (rows, columns): (Vec<usize>, Vec<usize>) = JACOBIAN.places(&compiled.complete).unzip();
         template.word("jacobianrows", list(&mut rows.iter().map(|row| row.to_string())));
         template.word("jacobiancolumns", list(&mut columns.iter().map(|column| column.to_string())));
-        let bounds: Vec<f64> =
-            compiled.partition.row_sizes.iter().map(|size| self.scalar.product(*size, OFF)).collect();
+        let bounds: Vec<f64> = compiled
+            .complete
+            .further
+            .partition
+            .row_sizes
+            .iter()
+            .map(|size| self.scalar.product(*size, OFF))
+            .collect();
         template.word("rowbounds", self.numbers(&bounds));
         template.word("phases", self.numbers(&compiled.assembly.phases));
         let defaults: Vec<f64> = compiled.mechanism.parameters.iter().map(|known| known.default).collect();

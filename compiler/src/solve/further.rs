@@ -12,6 +12,8 @@ pub struct Further {
     pub stored: Option<Stored>,
     /// Whether it is emitted together with the right-hand sides of the penalty formulation too.
     pub emits_system: bool,
+    /// Which velocities are dependent, and how they are eliminated.
+    pub partition: Partition,
     /// The equations in independent velocities.
     pub null_space: Option<NullSpace>,
     /// Whether they are asked before the multipliers, because they take fewer operations or are asked for.
@@ -29,12 +31,13 @@ const LESS: (usize, usize) = (19, 20);
 const HOPELESS: usize = 2;
 
 impl Further {
-    /// `count`: what a function with these outputs takes. What is not taken leaves nothing behind in the equations.
+    /// `partitions`: ways to eliminate the dependent velocities, of which small mechanisms take the cheapest and others the first. `count`: what a
+    /// function with these outputs takes. What is not taken leaves nothing behind in the equations.
     pub fn of(
         equations: &mut Equations,
         solved: &Solved,
         options: &Options,
-        partition: &Partition,
+        partitions: &[Partition],
         count: &dyn Fn(&Equations, &[Node]) -> Counts,
     ) -> Self {
         let emit = options.emit;
@@ -43,26 +46,33 @@ impl Further {
         let rows = stored.as_ref().map(|stored| stored.given.rows.as_slice());
         let massless = !solved.massless.rows.is_empty();
         let may_lead = !equations.rows.is_empty() && options.solution != SolvedBy::Multipliers;
-        let mut further =
-            Further { emits_system: emit.penalty, emits_factors: emit.null_space, ..Further::default() };
+        let mut further = Further {
+            partition: partitions[0].clone(),
+            emits_system: emit.penalty,
+            emits_factors: emit.null_space,
+            ..Further::default()
+        };
         if may_lead || emit.null_space {
             let is_asked = emit.null_space || options.solution == SolvedBy::Independent;
             let most = if is_asked { usize::MAX } else { HOPELESS * solved.counts.total() };
             // Each on a graph of its own.
-            let written = |damping: Option<Damping>| {
+            let written = |(partition, damping): (&Partition, Option<Damping>)| {
                 let candidate = equations.clone();
                 let written = null_space(&candidate, partition, massless, rows, damping, most)?;
                 let own = count(&candidate, &written.stabilised.nodes());
-                Some((candidate, written, own))
+                Some((partition.clone(), candidate, written, own))
             };
-            let ways: &[Option<Damping>] = match is_small(equations) {
+            let dampings: &[Option<Damping>] = match is_small(equations) {
                 true => &[Some(Damping::InRows), Some(Damping::ByShift)],
                 false => &[None],
             };
-            let best = ways.iter().filter_map(|way| written(*way)).min_by_key(|(.., own)| own.score());
-            let Some((candidate, written, own)) = best else {
+            let taken = if is_small(equations) { partitions } else { &partitions[..1] };
+            let ways = taken.iter().flat_map(|way| dampings.iter().map(move |damping| (way, *damping)));
+            let best = ways.filter_map(written).min_by_key(|(.., own)| own.score());
+            let Some((partition, candidate, written, own)) = best else {
                 return Further { stored, ..further };
             };
+            further.partition = partition;
             if may_lead {
                 further.compared = Some([solved.counts, own]);
                 let is_less = LESS.1 * own.score() <= LESS.0 * solved.counts.score();

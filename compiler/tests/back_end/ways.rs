@@ -122,8 +122,15 @@ fn baumgartes_first_term() {
         let compiled = pair(hold, JOINTS[1]);
         let equations = &compiled.complete.equations;
         let solutions = [Damping::InRows, Damping::ByShift].map(|damping| {
-            null_space(equations, &compiled.partition, false, None, Some(damping), usize::MAX)
-                .expect("nothing is too much")
+            null_space(
+                equations,
+                &compiled.complete.further.partition,
+                false,
+                None,
+                Some(damping),
+                usize::MAX,
+            )
+            .expect("nothing is too much")
         });
         let at = state(&compiled, &mut random, true);
         let [one, other] = solutions.each_ref().map(|written| {

@@ -230,7 +230,8 @@ fn written_out_null_spaces_solve<M: Model>() {
             solved += 1;
             let bound = 1e-12 / pivot[0].min(1.0).sqrt();
             let v = program(Function::DependentVelocities, &inputs);
-            let dependent: Vec<usize> = compiled.partition.pivots().map(|pivot| pivot.velocity).collect();
+            let dependent: Vec<usize> =
+                compiled.complete.further.partition.pivots().map(|pivot| pivot.velocity).collect();
             assert!((0..n).all(|i| dependent.contains(&i) || v[i] == inputs.v[i]), "{}", model.name());
             // With M and λ zero only D v = rows is left.
             let (none, rows) = (vec![0.0; n.max(count)], &inputs.given_rows);

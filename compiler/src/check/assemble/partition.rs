@@ -1,5 +1,6 @@
 //! Which velocities are taken as dependent ones, where a formulation works with independent ones.
 
+use super::pairs::in_pairs;
 use super::scales::{column_sizes, row_sizes};
 use super::{Ancestry, Assembly, Point};
 use crate::equations::{Conditions, Equations};
@@ -16,26 +17,29 @@ const DEARER: f64 = 1.25;
 /// A column whose entries at the start are less than this part of those along the motion says nothing of its unit there.
 const SMALL: f64 = 0.1;
 
-/// Chooses the dependent velocities at the start. None of those that carry an independent coordinate (conditions by
-/// index) is taken, where that is possible and not much dearer.
-pub fn partition(
+/// Chooses the dependent velocities at the start; says in which ways they may be eliminated, that by the vectors of joints first. None of
+/// those that carry an independent coordinate (conditions by index) is taken, where that is possible and not much dearer.
+pub fn partitions(
     mechanism: &Mechanism,
     equations: &Equations,
     conditions: &Conditions,
     assembly: &Assembly,
     independent: &[usize],
-) -> Partition {
+) -> Vec<Partition> {
     let mut point = Point::at_defaults(mechanism, equations, &assembly.phases);
-    point.set_q(&assembly.q);
     let columns = equations.rows.iter().flat_map(|row| row.jet.columns.values().copied());
-    point.evaluate(&Ancestry::of(equations, columns));
-    let rows = equations.rows.iter().enumerate().filter(|(index, _)| !equations.idle.contains(index));
-    let rows: BTreeMap<usize, BTreeMap<usize, f64>> = rows
-        .map(|(index, row)| {
+    let ancestry = Ancestry::of(equations, columns);
+    let mut rows_at = |q: &Vec<f64>| -> BTreeMap<usize, BTreeMap<usize, f64>> {
+        point.set_q(q);
+        point.evaluate(&ancestry);
+        let rows = equations.rows.iter().enumerate().filter(|(index, _)| !equations.idle.contains(index));
+        rows.map(|(index, row)| {
             let entries = row.jet.columns.iter();
             (index, entries.map(|(column, node)| (*column, point.get(*node))).collect())
         })
-        .collect();
+        .collect()
+    };
+    let rows = rows_at(&assembly.q);
 
     let alone = independent.iter().filter_map(|condition| {
         let columns = &conditions.rows[*condition].jet.columns;
@@ -53,7 +57,9 @@ pub fn partition(
     let free = choose(rows, blocks, &scales, &BTreeSet::new());
     let chosen = if sparing.operations as f64 <= DEARER * free.operations as f64 { sparing } else { free };
     let row_sizes = row_sizes(mechanism, equations, assembly, &chosen.scales);
-    Partition { row_sizes, ..chosen }
+    let chosen = Partition { row_sizes, ..chosen };
+    let pairs = in_pairs(equations, &chosen, || assembly.along.iter().map(rows_at).collect());
+    [Some(chosen), pairs].into_iter().flatten().collect()
 }
 
 /// One over the largest entry of each column of D, to a power of two: at the start (`rows`), but for a column that is small there beside
