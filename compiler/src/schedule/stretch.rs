@@ -29,8 +29,8 @@ impl Stretch {
         let slow: Vec<bool> = instructions[start..end].iter().map(is_slow).collect();
         let mut taken = Vec::with_capacity(end - start);
         let mut users: Vec<Vec<usize>> = vec![Vec::new(); end];
-        for index in start..end {
-            let mut own: Vec<usize> = values(&instructions[index]).collect();
+        for (index, instruction) in (start..).zip(&instructions[start..end]) {
+            let mut own: Vec<usize> = values(instruction).collect();
             own.sort_unstable();
             own.dedup();
             own.iter().for_each(|value| users[*value].push(index));
