@@ -6,6 +6,7 @@
 //! Assembly works in tree coordinates, which are few and cannot come apart along the tree; the state is carried over
 //! to absolute coordinates where those are emitted.
 
+mod active;
 mod along;
 mod attempts;
 mod blame;

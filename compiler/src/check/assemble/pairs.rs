@@ -4,12 +4,10 @@
 //! of the blocks have the same product either way, but which of them vanish where differs: entries of a vector's block vanish one by one, its determinant
 //! does not. So pairs are taken only where they are as regular at every position along the motion.
 
+use super::active::{Active, Rows};
 use crate::equations::Equations;
 use crate::solve::{Partition, Pivot};
 use std::collections::{BTreeMap, BTreeSet};
-
-/// Entries of D by row and column, at a position or by structure.
-type Rows<T> = BTreeMap<usize, BTreeMap<usize, T>>;
 
 /// The smaller determinant of two pairs is everywhere at least this part of that of a vector and its row, relative to their sizes.
 const AS_REGULAR: f64 = 0.5;
@@ -25,7 +23,7 @@ const PAIRS: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
 pub fn in_pairs(
     equations: &Equations,
     chosen: &Partition,
-    along: impl FnOnce() -> Vec<Rows<f64>>,
+    along: impl FnOnce() -> Vec<Rows>,
 ) -> Option<Partition> {
     let origin = |pivot: &Pivot| equations.rows[pivot.row].origin;
     let is_vector_and_row = |vector: &[Pivot], row: &[Pivot]| {
@@ -60,9 +58,9 @@ fn best(
     chosen: &Partition,
     before: &[Vec<Pivot>],
     four: &[Pivot],
-    along: &[Rows<f64>],
+    along: &[Rows],
 ) -> Option<[Vec<Pivot>; 2]> {
-    let left: Vec<Rows<f64>> = along.iter().filter_map(|rows| without(rows, before)).collect();
+    let left: Vec<Rows> = along.iter().filter_map(|rows| without(rows, &chosen.scales, before)).collect();
     let pattern = left.first()?;
     let vector = smaller(chosen, &left, &[four[..ROWS - 1].to_vec(), four[ROWS - 1..].to_vec()]);
     let two = |rows: [usize; 2], velocities: [usize; 2]| -> Vec<Pivot> {
@@ -83,13 +81,13 @@ fn best(
 }
 
 /// The smaller of two determinants at each position, relative to their sizes.
-fn smaller(chosen: &Partition, along: &[Rows<f64>], blocks: &[Vec<Pivot>; 2]) -> Vec<f64> {
+fn smaller(chosen: &Partition, along: &[Rows], blocks: &[Vec<Pivot>; 2]) -> Vec<f64> {
     let size = |block: &[Pivot]| -> f64 {
         let size = |pivot: &Pivot| chosen.row_sizes[pivot.row] / chosen.scales[pivot.velocity];
         block.iter().map(size).product()
     };
     let all = blocks.concat();
-    let of = |rows: &Rows<f64>| {
+    let of = |rows: &Rows| {
         let first = determinant(rows, &blocks[0]);
         let second = determinant(rows, &all) / first;
         (first / size(&blocks[0])).abs().min((second / size(&blocks[1])).abs())
@@ -97,24 +95,18 @@ fn smaller(chosen: &Partition, along: &[Rows<f64>], blocks: &[Vec<Pivot>; 2]) ->
     along.iter().map(of).collect()
 }
 
-/// D after these blocks, row by row; `None` where a pivot is nothing.
-fn without(rows: &Rows<f64>, blocks: &[Vec<Pivot>]) -> Option<Rows<f64>> {
-    let mut rows = rows.clone();
+/// The rows that are left after these blocks; `None` where a pivot is nothing.
+fn without(rows: &Rows, scales: &[f64], blocks: &[Vec<Pivot>]) -> Option<Rows> {
+    let mut active = Active::new(rows.clone(), scales);
     for pivot in blocks.iter().flatten() {
-        let upper = rows.remove(&pivot.row)?;
-        let own = *upper.get(&pivot.velocity)?;
-        for entries in rows.values_mut() {
-            let Some(entry) = entries.remove(&pivot.velocity) else { continue };
-            for (column, value) in upper.iter().filter(|(column, _)| **column != pivot.velocity) {
-                *entries.entry(*column).or_default() -= entry / own * value;
-            }
-        }
+        active.eliminate(pivot.row, pivot.velocity);
     }
-    rows.values().flat_map(BTreeMap::values).all(|entry| entry.is_finite()).then_some(rows)
+    let left = active.rows;
+    left.values().flat_map(BTreeMap::values).all(|entry| entry.is_finite()).then_some(left)
 }
 
 /// Of the square of these rows and velocities, by Gauss's elimination with the largest pivots.
-fn determinant(rows: &Rows<f64>, block: &[Pivot]) -> f64 {
+fn determinant(rows: &Rows, block: &[Pivot]) -> f64 {
     let entry = |row: usize, column: usize| rows[&row].get(&column).copied().unwrap_or(0.0);
     let of_row = |row: &Pivot| block.iter().map(|column| entry(row.row, column.velocity)).collect();
     let mut square: Vec<Vec<f64>> = block.iter().map(of_row).collect();
@@ -140,7 +132,7 @@ fn determinant(rows: &Rows<f64>, block: &[Pivot]) -> f64 {
 }
 
 /// Products of the elimination of two pairs and of three solutions with them, by structure.
-fn products(rows: &Rows<f64>, pairs: &[Vec<Pivot>; 2]) -> usize {
+fn products(rows: &Rows, pairs: &[Vec<Pivot>; 2]) -> usize {
     const SOLUTIONS: usize = 3;
     let mut pattern: BTreeMap<usize, BTreeSet<usize>> =
         rows.iter().map(|(row, entries)| (*row, entries.keys().copied().collect())).collect();

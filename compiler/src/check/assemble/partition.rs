@@ -1,5 +1,6 @@
 //! Which velocities are taken as dependent ones, where a formulation works with independent ones.
 
+use super::active::{Active, Rows};
 use super::pairs::in_pairs;
 use super::scales::{column_sizes, row_sizes};
 use super::{Ancestry, Assembly, Point};
@@ -7,9 +8,6 @@ use crate::equations::{Conditions, Equations};
 use crate::model::Mechanism;
 use crate::solve::{Partition, Pivot, groups};
 use std::collections::{BTreeMap, BTreeSet};
-
-/// An entry of this part of the largest of its row is good enough for a pivot.
-const GOOD: f64 = 0.3;
 
 /// The velocities of the independent coordinates stay independent if that costs less than this.
 const DEARER: f64 = 1.25;
@@ -29,7 +27,7 @@ pub fn partitions(
     let mut point = Point::at_defaults(mechanism, equations, &assembly.phases);
     let columns = equations.rows.iter().flat_map(|row| row.jet.columns.values().copied());
     let ancestry = Ancestry::of(equations, columns);
-    let mut rows_at = |q: &Vec<f64>| -> BTreeMap<usize, BTreeMap<usize, f64>> {
+    let mut rows_at = |q: &Vec<f64>| -> Rows {
         point.set_q(q);
         point.evaluate(&ancestry);
         let rows = equations.rows.iter().enumerate().filter(|(index, _)| !equations.idle.contains(index));
@@ -64,12 +62,7 @@ pub fn partitions(
 
 /// One over the largest entry of each column of D, to a power of two: at the start (`rows`), but for a column that is small there beside
 /// what it is along the motion.
-fn column_scales(
-    mechanism: &Mechanism,
-    equations: &Equations,
-    assembly: &Assembly,
-    rows: &BTreeMap<usize, BTreeMap<usize, f64>>,
-) -> Vec<f64> {
+fn column_scales(mechanism: &Mechanism, equations: &Equations, assembly: &Assembly, rows: &Rows) -> Vec<f64> {
     let along = column_sizes(mechanism, equations, assembly);
     let mut largest = vec![0.0_f64; along.len()];
     for (column, entry) in rows.values().flatten() {
@@ -82,28 +75,10 @@ fn column_scales(
     largest.iter().zip(&along).map(scale).collect()
 }
 
-/// D while it is eliminated.
-struct Active {
-    rows: BTreeMap<usize, BTreeMap<usize, f64>>,
-    /// The rows that hold a velocity.
-    holders: Vec<BTreeSet<usize>>,
-    scales: Vec<f64>,
-}
-
 /// Block by block, the shortest first; in it row by row, of the good entries the one whose column is shortest (Markowitz,
 /// Management Science 3 (1957) 255–269, with threshold pivoting). Those to be spared only where nothing else is good.
-fn choose(
-    rows: BTreeMap<usize, BTreeMap<usize, f64>>,
-    waiting: Vec<Vec<usize>>,
-    scales: &[f64],
-    spared: &BTreeSet<usize>,
-) -> Partition {
-    let mut holders = vec![BTreeSet::new(); scales.len()];
-    for (row, entries) in &rows {
-        entries.keys().for_each(|column| _ = holders[*column].insert(*row));
-    }
-    let scales = scales.to_vec();
-    let mut active = Active { rows, holders, scales: scales.clone() };
+fn choose(rows: Rows, waiting: Vec<Vec<usize>>, scales: &[f64], spared: &BTreeSet<usize>) -> Partition {
+    let mut active = Active::new(rows, scales);
     let of: BTreeMap<usize, usize> =
         waiting.iter().enumerate().flat_map(|(at, rows)| rows.iter().map(move |row| (*row, at))).collect();
     let mut lengths: Vec<usize> = waiting.iter().map(|rows| active.length(rows)).collect();
@@ -126,45 +101,5 @@ fn choose(
         }
         blocks.push(block);
     }
-    Partition { blocks, scales, row_sizes: Vec::new(), operations }
-}
-
-impl Active {
-    /// Entries of the longest row of a block.
-    fn length(&self, block: &[usize]) -> usize {
-        block.iter().map(|row| self.rows[row].len()).max().unwrap_or(0)
-    }
-
-    /// The next pivot of a block; `None` at its end.
-    fn next(&self, block: &[usize], spared: &BTreeSet<usize>) -> Option<(usize, usize)> {
-        let row = block.iter().min_by_key(|row| self.rows[*row].len())?;
-        let entries = &self.rows[row];
-        let scaled = |(column, entry): (&usize, &f64)| (*column, entry.abs() * self.scales[*column]);
-        let most = entries.iter().map(scaled).map(|(_, size)| size).fold(0.0, f64::max);
-        let good = entries.iter().map(scaled).filter(|(_, size)| *size >= GOOD * most);
-        let best = good.min_by(|(a, size_a), (b, size_b)| {
-            let rank = |column: &usize| (spared.contains(column), self.holders[*column].len());
-            rank(a).cmp(&rank(b)).then(size_b.total_cmp(size_a))
-        });
-        best.map(|(column, _)| (*row, column))
-    }
-
-    /// Takes a row and its pivot out; returns the operations, and the rows that it was subtracted from.
-    fn eliminate(&mut self, row: usize, pivot: usize) -> (usize, BTreeSet<usize>) {
-        let upper = self.rows.remove(&row).unwrap_or_default();
-        for column in upper.keys() {
-            self.holders[*column].remove(&row);
-        }
-        let below = std::mem::take(&mut self.holders[pivot]);
-        for other in &below {
-            let Some(entries) = self.rows.get_mut(other) else { continue };
-            let factor = entries.remove(&pivot).unwrap_or(0.0) / upper[&pivot];
-            for (column, value) in upper.iter().filter(|(column, _)| **column != pivot) {
-                // An entry that cancels stays in the structure: it need not cancel elsewhere.
-                *entries.entry(*column).or_default() -= factor * value;
-                self.holders[*column].insert(*other);
-            }
-        }
-        (upper.len() + below.len() * upper.len(), below)
-    }
+    Partition { blocks, scales: scales.to_vec(), row_sizes: Vec::new(), operations }
 }
