@@ -262,22 +262,8 @@ fn power_is_balanced<M: Model>() {
 /// The power of springs without damping is −dV/dt.
 fn springs_store_what_they_take<M: Model>() {
     let (compiled, parameters, model, states) = walk::<M>(23, STATES);
-    // What deforms stores too, and no load tells of that.
-    if compiled.mechanism.bodies.iter().any(|body| body.deforms.is_some()) {
-        return;
-    }
-    let none = |damping: &Expr| matches!(damping, Expr::Number(0.0));
-    // A damper is a spring that stores nothing, and so does what has a memory or a winch.
-    let loads = compiled.mechanism.loads.iter().enumerate();
-    let springs =
-        loads.filter(|(_, load)| load.form.law == Law::None && load.form.effort.is_none() && !load.form.rubs);
-    let mut springs = springs.map(|(index, load)| {
-        let is_damping = |name: &str| name.ends_with("damping");
-        let dampings = load.arguments().filter(|(argument, _)| is_damping(argument.name));
-        (index, dampings.flat_map(|(_, values)| values).all(none))
-    });
-    let elastic: Vec<usize> = springs.clone().map(|(index, _)| index).collect();
-    if elastic.is_empty() || springs.any(|(_, undamped)| !undamped) {
+    let elastic = undamped_springs(&compiled.mechanism);
+    if elastic.is_empty() {
         return;
     }
     let weightless = weightless(&compiled);
@@ -289,6 +275,26 @@ fn springs_store_what_they_take<M: Model>() {
         let rate = ahead.rate(|time, q, _| stored::<M>(&weightless, &parameters, time, q));
         assert!((taken + rate).abs() <= 1e-6 * (scale + rate.abs()), "{}: {taken} {rate}", model.name());
     }
+}
+
+/// Which loads are springs, where none is damped and no body deforms.
+fn undamped_springs(mechanism: &Mechanism_) -> Vec<usize> {
+    // What deforms stores too, and no load tells of that.
+    if mechanism.bodies.iter().any(|body| body.deforms.is_some()) {
+        return Vec::new();
+    }
+    let none = |damping: &Expr| matches!(damping, Expr::Number(0.0));
+    // A damper is a spring that stores nothing, and so does what has a memory or a winch.
+    let loads = mechanism.loads.iter().enumerate();
+    let springs =
+        loads.filter(|(_, load)| load.form.law == Law::None && load.form.effort.is_none() && !load.form.rubs);
+    let mut springs = springs.map(|(index, load)| {
+        let is_damping = |name: &str| name.ends_with("damping");
+        let dampings = load.arguments().filter(|(argument, _)| is_damping(argument.name));
+        (index, dampings.flat_map(|(_, values)| values).all(none))
+    });
+    let elastic = springs.clone().map(|(index, _)| index).collect();
+    if springs.any(|(_, undamped)| !undamped) { Vec::new() } else { elastic }
 }
 
 /// A revolute exerts no torque at its places, a slide no force along its line, by the solved v̇ and λ.

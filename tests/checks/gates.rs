@@ -24,12 +24,16 @@ fn held_is_live_at_one_state<M: Model>() {
     if model.takes_whole_steps() || model.is_rigid() || !model.memory_names().is_empty() {
         return;
     }
+    held_is_live(model.name(), M::source());
+}
+
+fn held_is_live(name: &str, source: &str) {
     let word = "contact = held;";
-    assert!(M::source().contains(word), "{}", model.name());
+    assert!(source.contains(word), "{name}");
     let (mut closed, mut open) = (0, 0);
     for coordinates in [Coordinates::Tree, Coordinates::Absolute] {
-        let held = in_coordinates(M::source(), coordinates);
-        let live = in_coordinates(&M::source().replace(word, ""), coordinates);
+        let held = in_coordinates(source, coordinates);
+        let live = in_coordinates(&source.replace(word, ""), coordinates);
         assert!(held.mechanism.gates().count() > 0 && live.mechanism.gates().count() == 0);
         let mut random = Random::new(50);
         for _ in 0..STATES {
@@ -49,12 +53,12 @@ fn held_is_live_at_one_state<M: Model>() {
                 let (found, expected) = (program(&held, function, &point), program(&live, function, &other));
                 let size = expected.iter().fold(1.0_f64, |size, value| size.max(value.abs()));
                 let alike = found.iter().zip(&expected).all(|(a, b)| (a - b).abs() <= 1e-11 * size);
-                assert!(alike, "{}, {}: {found:?}, live {expected:?}", model.name(), function.name());
+                assert!(alike, "{}, {}: {found:?}, live {expected:?}", name, function.name());
             }
         }
     }
-    println!("{}: {closed} gates closed, {open} open", model.name());
-    assert!(closed >= STATES / 2 && open >= STATES / 2, "{}: {closed} closed, {open} open", model.name());
+    println!("{}: {closed} gates closed, {open} open", name);
+    assert!(closed >= STATES / 2 && open >= STATES / 2, "{}: {closed} closed, {open} open", name);
 }
 
 /// The energy is less by what impulses say that they took: none of these mechanisms has anything else that takes energy but dry friction. Where surfaces move by

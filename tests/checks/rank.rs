@@ -42,35 +42,47 @@ pub struct Off {
     pub smallest: f64,
 }
 
+/// What is found at one position.
+struct Found {
+    time: f64,
+    gram: Matrix,
+    /// The estimate.
+    condition: f64,
+    /// The least of `factor`.
+    pivot: f64,
+}
+
 /// Compares at all positions; below the limit both must be.
 pub fn compare<M: Model>(model: &M, positions: &[(f64, M::Q)]) -> Off {
-    let grams: Vec<Matrix> = positions.iter().map(|(time, q)| gram(model, *time, q)).collect();
-    let live: Vec<usize> =
-        (0..model.row_count()).filter(|row| !model.idle().contains(&(*row as u16))).collect();
+    let mut found = Vec::new();
+    for (time, q) in positions {
+        let condition = reciprocal_condition(model, *time, q);
+        let pivot = model.factor(*time, q, 0.0, &mut model.store());
+        found.push(Found { time: *time, gram: gram(model, *time, q), condition, pivot });
+    }
+    compare_all(model.name(), model.row_count(), model.idle(), &found)
+}
+
+fn compare_all(name: &str, rows: usize, idle: &[u16], positions: &[Found]) -> Off {
+    let live: Vec<usize> = (0..rows).filter(|row| !idle.contains(&(*row as u16))).collect();
     let sizes: Vec<f64> =
-        live.iter().map(|i| grams.iter().map(|a| a[*i][*i]).fold(0.0, f64::max).sqrt()).collect();
+        live.iter().map(|i| positions.iter().map(|at| at.gram[*i][*i]).fold(0.0, f64::max).sqrt()).collect();
     let mut off = Off { least: f64::INFINITY, most: 0.0, smallest: 1.0 };
-    for ((time, q), gram) in positions.iter().zip(&grams) {
+    for Found { time, gram, condition, pivot } in positions {
         let row = |(i, own): (&usize, &f64)| {
             live.iter().zip(&sizes).map(|(j, other)| gram[*i][*j] / (own * other)).collect::<Vec<f64>>()
         };
         let (least, most) = extreme_eigenvalues(live.iter().zip(&sizes).map(row).collect());
         let exact = least / most.max(1.0);
-        let found = reciprocal_condition(model, *time, q);
         // A step asks for the condition where a pivot is below 3·10⁻³: no position that is nearly singular may be missed by that.
-        let pivot = model.factor(*time, q, 0.0, &mut model.store());
-        assert!(
-            pivot < 3e-3 || exact > LIMIT,
-            "{} at {time} s: pivot {pivot:e}, exactly {exact:e}",
-            model.name()
-        );
+        assert!(*pivot < 3e-3 || exact > LIMIT, "{name} at {time} s: pivot {pivot:e}, exactly {exact:e}");
         off.smallest = off.smallest.min(exact);
         // What is left of an eigenvalue below this is rounding.
         if exact < 1e-11 {
-            assert!(found < LIMIT, "{} at {time} s: {found:e}, exactly {exact:e}", model.name());
+            assert!(*condition < LIMIT, "{name} at {time} s: {condition:e}, exactly {exact:e}");
             continue;
         }
-        (off.least, off.most) = (off.least.min(found / exact), off.most.max(found / exact));
+        (off.least, off.most) = (off.least.min(condition / exact), off.most.max(condition / exact));
     }
     off
 }
@@ -83,15 +95,29 @@ fn gram<M: Model>(model: &M, time: f64, q: &M::Q) -> Matrix {
     let (mut mass, mut jacobian) = (model.zero_mass(), model.zero_jacobian());
     model.mass_matrix(time, q, &mut mass);
     model.constraint_jacobian(time, q, &mut jacobian);
-    let mut d = vec![vec![0.0; n]; m];
-    for (&(row, column), entry) in model.jacobian_pattern().iter().zip(jacobian.as_slice()) {
-        d[usize::from(row)][usize::from(column)] = *entry;
+    let d = dense((m, n), model.jacobian_pattern(), jacobian.as_slice());
+    let mut a = dense((n, n), model.mass_pattern(), mass.as_slice());
+    mirror(&mut a, model.mass_pattern());
+    gram_of(a, d, model.massless_rows(), model.massless_weights())
+}
+
+fn dense((rows, columns): (usize, usize), pattern: &[(u16, u16)], values: &[f64]) -> Matrix {
+    let mut matrix = vec![vec![0.0; columns]; rows];
+    for (&(row, column), entry) in pattern.iter().zip(values) {
+        matrix[usize::from(row)][usize::from(column)] = *entry;
     }
-    let mut a = vec![vec![0.0; n]; n];
-    for (&(i, j), entry) in model.mass_pattern().iter().zip(mass.as_slice()) {
-        (a[usize::from(i)][usize::from(j)], a[usize::from(j)][usize::from(i)]) = (*entry, *entry);
+    matrix
+}
+
+/// Of a symmetric matrix one triangle is stored.
+fn mirror(matrix: &mut Matrix, pattern: &[(u16, u16)]) {
+    for &(row, column) in pattern {
+        matrix[usize::from(column)][usize::from(row)] = matrix[usize::from(row)][usize::from(column)];
     }
-    for (&row, rho) in model.massless_rows().iter().zip(model.massless_weights()) {
+}
+
+fn gram_of(mut a: Matrix, d: Matrix, massless: &[u16], weights: &[f64]) -> Matrix {
+    for (&row, rho) in massless.iter().zip(weights) {
         let d = &d[usize::from(row)];
         for (i, entries) in a.iter_mut().enumerate() {
             entries.iter_mut().zip(d).for_each(|(entry, x)| *entry += rho * d[i] * x);

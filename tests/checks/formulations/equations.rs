@@ -99,14 +99,17 @@ fn softened_constraints_are_solved<M: Model>() {
 
 /// K(c) as it is written out where a definition asks for it, in both sets of coordinates: the programs by the interpreter.
 fn written_out_factorisations_solve<M: Model>() {
-    let model = M::standard();
-    let source = M::source().trim_end().strip_suffix('}').expect("a definition ends in a brace");
+    factorisations_solve(M::standard().name(), M::source());
+}
+
+fn factorisations_solve(name: &str, source: &str) {
+    let source = source.trim_end().strip_suffix('}').expect("a definition ends in a brace");
     let source = format!("{source} options {{ emit = (penalty, projection); }} }}");
     for coordinates in [Coordinates::Tree, Coordinates::Absolute] {
         let tokens = source.parse().expect("tokens");
         let Ok(compiled) = compile(tokens, Some(coordinates)) else {
             // Some angles cannot be counted in absolute coordinates.
-            assert_eq!(coordinates, Coordinates::Absolute, "{}", model.name());
+            assert_eq!(coordinates, Coordinates::Absolute, "{}", name);
             continue;
         };
         let stored = compiled.complete.further.stored.as_ref().expect("it was asked for");
@@ -140,7 +143,7 @@ fn written_out_factorisations_solve<M: Model>() {
             let alike = |one: &[f64], other: &[f64], of: &str| {
                 let largest = one.iter().fold(1.0, |largest: f64, it| largest.max(it.abs()));
                 for (one, other) in one.iter().zip(other) {
-                    assert!((one - other).abs() <= 1e-9 * largest, "{}: {of}: {one} {other}", model.name());
+                    assert!((one - other).abs() <= 1e-9 * largest, "{}: {of}: {one} {other}", name);
                 }
             };
             alike(&system[..kept], &factored[..kept], "one factorisation");
@@ -157,8 +160,8 @@ fn written_out_factorisations_solve<M: Model>() {
                 (&inputs.given_forces, &inputs.given_rows),
             );
             // Four light beams in a row, whose sections turn with 1e-5 of the inertia that their ends move with, lose two digits more.
-            let most = if model.name() == "PrincetonBeam" { 1e-7 } else { 1e-9 };
-            assert!(error < most, "{} in {coordinates:?}: {error:e}", model.name());
+            let most = if name == "PrincetonBeam" { 1e-7 } else { 1e-9 };
+            assert!(error < most, "{} in {coordinates:?}: {error:e}", name);
 
             // The rows are γ − 2α (D v − ν) − β² Φ.
             let (gamma, phi) = (program(Function::Gamma, &inputs), program(Function::Constraints, &inputs));
@@ -172,11 +175,7 @@ fn written_out_factorisations_solve<M: Model>() {
             for (row, found) in system[kept + n..kept + n + count].iter().enumerate() {
                 let terms = [gamma[row], inputs.two_alpha * rest[row], -inputs.beta_squared * phi[row]];
                 let (sum, size): (f64, f64) = (terms.iter().sum(), terms.iter().map(|term| term.abs()).sum());
-                assert!(
-                    (found - sum).abs() <= 1e-11 * (1.0 + size),
-                    "{}: row {row}: {found} {sum}",
-                    model.name()
-                );
+                assert!((found - sum).abs() <= 1e-11 * (1.0 + size), "{}: row {row}: {found} {sum}", name);
             }
         }
     }
@@ -185,13 +184,16 @@ fn written_out_factorisations_solve<M: Model>() {
 /// The equations in independent velocities as they are written out where a definition asks for it, in both sets of coordinates:
 /// D v = ν, D v̇ = γ and M v̇ + Dᵀ λ = Q hold where the programs say so, by the interpreter.
 fn written_out_null_spaces_solve<M: Model>() {
-    let model = M::standard();
-    let source = M::source().trim_end().strip_suffix('}').expect("a definition ends in a brace");
+    null_spaces_solve(M::standard().name(), M::source());
+}
+
+fn null_spaces_solve(name: &str, source: &str) {
+    let source = source.trim_end().strip_suffix('}').expect("a definition ends in a brace");
     let source = format!("{source} options {{ emit = (null_space); }} }}");
     for coordinates in [Coordinates::Tree, Coordinates::Absolute] {
         let Ok(compiled) = compile(source.parse().expect("tokens"), Some(coordinates)) else {
             // Some angles cannot be counted in absolute coordinates.
-            assert_eq!(coordinates, Coordinates::Absolute, "{}", model.name());
+            assert_eq!(coordinates, Coordinates::Absolute, "{}", name);
             continue;
         };
         let equations = &compiled.complete.equations;
@@ -232,18 +234,18 @@ fn written_out_null_spaces_solve<M: Model>() {
             let v = program(Function::DependentVelocities, &inputs);
             let dependent: Vec<usize> =
                 compiled.complete.further.partition.pivots().map(|pivot| pivot.velocity).collect();
-            assert!((0..n).all(|i| dependent.contains(&i) || v[i] == inputs.v[i]), "{}", model.name());
+            assert!((0..n).all(|i| dependent.contains(&i) || v[i] == inputs.v[i]), "{}", name);
             // With M and λ zero only D v = rows is left.
             let (none, rows) = (vec![0.0; n.max(count)], &inputs.given_rows);
             let error =
                 backward_error(&[], &jacobian, &none[..count], (&v, &none[..count]), (&none[..n], rows));
-            assert!(error < bound, "{} in {coordinates:?}: dependent velocities {error:e}", model.name());
+            assert!(error < bound, "{} in {coordinates:?}: dependent velocities {error:e}", name);
 
             let all = program(Function::NullSpace, &inputs);
             let (solution, smallest) = all.split_at(n + count);
             // Equal but for the order of sums.
             let largest = pivot[0] * (1.0 + 1e-12);
-            assert!(smallest[0] <= largest, "{}: {smallest:?} {pivot:?}", model.name());
+            assert!(smallest[0] <= largest, "{}: {smallest:?} {pivot:?}", name);
             let (mut forces, gamma) =
                 (program(Function::Forces, &inputs), of(program(Function::Gamma, &inputs)));
             if !equations.friction.is_none() {
@@ -254,9 +256,9 @@ fn written_out_null_spaces_solve<M: Model>() {
             }
             let error =
                 backward_error(&mass, &jacobian, &none[..count], solution.split_at(n), (&forces, &gamma));
-            assert!(error < 1e3 * bound, "{} in {coordinates:?}: {error:e}, pivot {pivot:?}", model.name());
+            assert!(error < 1e3 * bound, "{} in {coordinates:?}: {error:e}, pivot {pivot:?}", name);
         }
-        assert!(2 * solved >= STATES, "{} in {coordinates:?}: only {solved} states", model.name());
+        assert!(2 * solved >= STATES, "{} in {coordinates:?}: only {solved} states", name);
     }
 }
 

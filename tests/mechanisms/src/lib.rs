@@ -1,8 +1,9 @@
 //! What test programs share: every mechanism as generic checks see it, and the small mechanisms that ship with nobody. They are
-//! expanded and type-checked here once; their code is generated in each program that runs them.
+//! expanded and type-checked here once; their functions are generated here once (`instances`), the rest of their code in each program that runs them.
 
 pub mod everything;
 pub mod files;
+pub mod instances;
 pub mod mutants;
 #[path = "../../runtime_fuzz/random.rs"]
 pub mod random;
