@@ -101,6 +101,7 @@ fn gram<M: Model>(model: &M, time: f64, q: &M::Q) -> Matrix {
     gram_of(a, d, model.massless_rows(), model.massless_weights())
 }
 
+/// Of that many rows and columns, zero but for the entries that are stored.
 fn dense((rows, columns): (usize, usize), pattern: &[(u16, u16)], values: &[f64]) -> Matrix {
     let mut matrix = vec![vec![0.0; columns]; rows];
     for (&(row, column), entry) in pattern.iter().zip(values) {
@@ -116,6 +117,7 @@ fn mirror(matrix: &mut Matrix, pattern: &[(u16, u16)]) {
     }
 }
 
+/// D A⁻¹ Dᵀ, with A = M + ρ dᵀ d over the massless rows d of D.
 fn gram_of(mut a: Matrix, d: Matrix, massless: &[u16], weights: &[f64]) -> Matrix {
     for (&row, rho) in massless.iter().zip(weights) {
         let d = &d[usize::from(row)];
