@@ -15,6 +15,7 @@ import casadi as ca
 import numpy as np
 
 from expressions import entry, number
+from quadrature import gauss
 from space_frames import tilde
 from thick import Thick
 
@@ -212,7 +213,7 @@ def _polynomials(count, order):
     legendre = lambda k: np.polynomial.Legendre.basis(k, domain=[0, 1])
     factor = np.polynomial.Polynomial([0] * order + [1]).convert(kind=np.polynomial.Legendre, domain=[0, 1])
     basis = [factor * legendre(k) for k in range(count)]
-    nodes, weights = np.polynomial.legendre.leggauss(count + order + 1)
+    nodes, weights = gauss(count + order + 1)
     at, weights = (1 + nodes) / 2, weights / 2
     gram = lambda functions: np.array([[np.sum(weights * f(at) * g(at)) for g in functions] for f in functions])
     stiffness, mass = gram([f.deriv(order) for f in basis]), gram(basis)
@@ -244,7 +245,7 @@ def _torsion_of_rectangle(height, width):
 
 @functools.cache
 def _rule(count):
-    return np.polynomial.legendre.leggauss(count)
+    return gauss(count)
 
 
 @functools.cache

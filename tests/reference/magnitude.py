@@ -1,7 +1,7 @@
 """Values of expressions at many states, each with the sum of magnitudes of the terms that formed it.
 
-The instructions of a CasADi function are walked once; every step works on all states together. Beside its value each
-intermediate carries a magnitude m, with m = |x| for what is given and
+The instructions of a CasADi function are read once and sorted by depth and operation; every step works on all of one kind and on all
+states together. Beside its value each intermediate carries a magnitude m, with m = |x| for what is given and
     m(a ± b) = m(a) + m(b),   m(a b) = m(a) m(b),   m(a/b) = m(a) m(b)/b²,   m(f(a)) = |f(a)| + |f'(a)| m(a).
 A rounding error of relative size ε in any of the terms changes the result by about ε m: differences between two ways
 of computing the same entry are measured in units of m.
@@ -39,178 +39,171 @@ class Result:
         return full if self.is_matrix else full[:, :, 0]
 
 
+class Group:
+    """Instructions of one operation that need nothing of one another: they fill `rows`, reading an array of rows by operand."""
+
+    def __init__(self, rule, rows, reads):
+        self.rule, self.rows, self.reads = rule, rows, reads
+
+
 class Evaluator:
     """A named set of expressions of the same arguments."""
 
     def __init__(self, arguments, outputs):
         self.outputs = {name: ca.SX(value) for name, value in outputs.items()}
         self.function = ca.Function("values", list(arguments), list(self.outputs.values()))
+        self._sort(*self._read())
+
+    def _read(self):
+        """Of each instruction but outputs its operation, its depth, and of which instructions it reads; once more where it reads one."""
         function = self.function
-        self.program = []
+        identity, reads_of, writes_of = function.instruction_id, function.instruction_input, function.instruction_output
+        written_by = [0] * function.sz_w()
+        operations, depths, first, second = [], [], [], []
+        self.inputs, self.constants, self.results = [], [], []
         for k in range(function.n_instructions()):
-            operation = function.instruction_id(k)
-            constant = function.instruction_constant(k) if operation == ca.OP_CONST else None
-            reads, writes = function.instruction_input(k), function.instruction_output(k)
-            self.program.append((operation, reads, writes, constant))
+            operation, reads = identity(k), reads_of(k)
+            if operation == ca.OP_OUTPUT:
+                self.results.append((*writes_of(k), written_by[reads[0]]))
+                continue
+            depth, one, other = 0, 0, 0
+            if operation == ca.OP_CONST:
+                self.constants.append(function.instruction_constant(k))
+            elif operation == ca.OP_INPUT:
+                self.inputs.append(reads)
+            elif operation in RULES:
+                one, other = written_by[reads[0]], written_by[reads[-1]]
+                depth = 1 + (depths[one] if depths[one] > depths[other] else depths[other])
+            else:
+                raise NotImplementedError(f"CasADi operation {operation}")
+            written_by[writes_of(k)[0]] = len(depths)
+            operations.append(operation)
+            depths.append(depth)
+            first.append(one)
+            second.append(other)
+        return (np.array(values, dtype=int) for values in (operations, depths, first, second))
+
+    def _sort(self, operations, depths, first, second):
+        """Groups: all that are of one depth and operation, in the order of depths; what is given leads."""
+        order = np.lexsort((operations, depths))
+        row = np.empty_like(order)
+        row[order] = np.arange(len(order))
+        operations, depths, first, second = operations[order], depths[order], row[first[order]], row[second[order]]
+        begins = np.ones(len(order), dtype=bool)
+        begins[1:] = (np.diff(operations) != 0) | (np.diff(depths) != 0)
+        begins = np.flatnonzero(begins)
+        self.rows, self.groups = len(order), []
+        for begin, end in zip(begins, [*begins[1:], len(order)]):
+            rows, operation = slice(begin, end), operations[begin]
+            if operation == ca.OP_CONST:
+                self.constant_rows = rows
+            elif operation == ca.OP_INPUT:
+                self.input_rows = rows
+            else:
+                rule = RULES[operation]
+                self.groups.append(Group(rule, rows, (first[rows], second[rows])[: rule.operands]))
+        self.results = [(output, entry, row[index]) for output, entry, index in self.results]
 
     def __call__(self, *arguments, dtype=np.float64):
         """`arguments` as (states, size) each; returns a `Result` by name, computed in numbers of `dtype`."""
+        results, value, magnitude = self._values(arguments, dtype, with_magnitudes=True)
+        for output, entry, row in self.results:
+            results[output].values[:, entry] = value[row]
+            results[output].magnitudes[:, entry] = magnitude[row]
+        return dict(zip(self.outputs, results))
+
+    def values(self, *arguments, dtype=np.float64):
+        """The same without magnitudes, which stay zero."""
+        results, value, _ = self._values(arguments, dtype, with_magnitudes=False)
+        for output, entry, row in self.results:
+            results[output].values[:, entry] = value[row]
+        return dict(zip(self.outputs, results))
+
+    def _values(self, arguments, dtype, with_magnitudes):
         arguments = [np.atleast_2d(np.asarray(argument, float)) for argument in arguments]
         states = len(arguments[0])
         for k, argument in enumerate(arguments):
             if argument.shape != (states, self.function.numel_in(k)):
                 expected = (states, self.function.numel_in(k))
                 raise ValueError(f"argument {k} has the shape {argument.shape}, expected {expected}")
-        columns = [np.ascontiguousarray(argument.T, dtype) for argument in arguments]
-        absolutes = [np.abs(column) for column in columns]
-        results = {name: Result(output, states, is_matrix(name)) for name, output in self.outputs.items()}
-        ordered = list(results.values())
-        value = [None] * self.function.sz_w()
-        magnitude = [None] * self.function.sz_w()
+        value = np.empty((self.rows, states), dtype)
+        if self.inputs:
+            value[self.input_rows] = [arguments[argument][:, entry] for argument, entry in self.inputs]
+        if self.constants:
+            value[self.constant_rows] = np.array(self.constants, dtype)[:, None]
+        magnitude = None
+        if with_magnitudes:
+            given = len(self.inputs) + len(self.constants)
+            magnitude = np.empty_like(value)
+            magnitude[:given] = np.abs(value[:given])
         with np.errstate(all="ignore"):
-            for operation, reads, writes, constant in self.program:
-                if operation == ca.OP_CONST:
-                    value[writes[0]] = np.full(states, constant, dtype)
-                    magnitude[writes[0]] = np.full(states, abs(constant), dtype)
-                elif operation == ca.OP_INPUT:
-                    value[writes[0]] = columns[reads[0]][reads[1]]
-                    magnitude[writes[0]] = absolutes[reads[0]][reads[1]]
-                elif operation == ca.OP_OUTPUT:
-                    ordered[writes[0]].values[:, writes[1]] = value[reads[0]]
-                    ordered[writes[0]].magnitudes[:, writes[1]] = magnitude[reads[0]]
-                else:
-                    rule = RULES.get(operation)
-                    if rule is None:
-                        raise NotImplementedError(f"CasADi operation {operation}")
-                    operands = [(value[index], magnitude[index]) for index in reads[: rule.__code__.co_argcount]]
-                    value[writes[0]], magnitude[writes[0]] = rule(*operands)
-        return results
+            for group in self.groups:
+                operands = [value[reads] for reads in group.reads]
+                result = group.rule.value(*operands)
+                value[group.rows] = result
+                if with_magnitudes:
+                    magnitudes = [magnitude[reads] for reads in group.reads]
+                    magnitude[group.rows] = group.rule.magnitude(result, *operands, *magnitudes)
+        results = [Result(output, states, is_matrix(name)) for name, output in self.outputs.items()]
+        return results, value, magnitude
+
+
+class Rule:
+    """The value of an operation from those of its operands, and its magnitude from the value, its operands and theirs."""
+
+    def __init__(self, operands, value, magnitude):
+        self.operands, self.value, self.magnitude = operands, value, magnitude
 
 
 def _smooth(function, slope):
     """m(f(a)) = |f(a)| + |f'(a)| m(a)."""
-
-    def rule(a):
-        result = function(a[0])
-        return result, np.abs(result) + np.abs(slope(a[0], result)) * a[1]
-
-    return rule
+    return Rule(1, function, lambda f, a, m: np.abs(f) + np.abs(slope(a, f)) * m)
 
 
 def _choice(function):
     """Results 0 and 1, exact."""
-
-    def rule(a, b):
-        result = function(a[0], b[0]).astype(a[0].dtype)
-        return result, result
-
-    return rule
-
-
-def _add(a, b):
-    return a[0] + b[0], a[1] + b[1]
-
-
-def _subtract(a, b):
-    return a[0] - b[0], a[1] + b[1]
-
-
-def _multiply(a, b):
-    return a[0] * b[0], a[1] * b[1]
-
-
-def _divide(a, b):
-    return a[0] / b[0], a[1] * b[1] / (b[0] * b[0])
-
-
-def _invert(a):
-    return 1.0 / a[0], a[1] / (a[0] * a[0])
-
-
-def _square(a):
-    return a[0] * a[0], a[1] * a[1]
-
-
-def _twice(a):
-    return a[0] + a[0], a[1] + a[1]
-
-
-def _negate(a):
-    return -a[0], a[1]
-
-
-def _absolute(a):
-    return np.abs(a[0]), a[1]
-
-
-def _sign(a):
-    result = np.sign(a[0])
-    return result, np.abs(result)
-
-
-def _floor(a):
-    # A whole number, exact unless rounding takes the argument over one.
-    result = np.floor(a[0])
-    return result, np.abs(result)
-
-
-def _not(a):
-    result = (a[0] == 0).astype(a[0].dtype)
-    return result, result
-
-
-def _minimum(a, b):
-    return np.fmin(a[0], b[0]), np.maximum(a[1], b[1])
-
-
-def _maximum(a, b):
-    return np.fmax(a[0], b[0]), np.maximum(a[1], b[1])
+    return Rule(2, lambda a, b: function(a, b).astype(a.dtype), lambda f, a, b, m, n: f)
 
 
 def _if_else_zero(a, b):
     # The branch not taken may be no number.
-    return np.where(a[0] != 0, b[0], 0.0), np.where(a[0] != 0, b[1], 0.0)
+    return np.where(a != 0, b, 0.0).astype(b.dtype)
 
 
-def _power(a, b):
-    result = a[0] ** b[0]
-    base = np.where(a[0] == 0, 1.0, np.abs(a[0]))
-    exponent_error = np.where(np.isclose(b[0], np.round(b[0])), 0.0, np.abs(np.log(base)) * b[1])
-    return result, np.abs(result) * (1.0 + np.abs(b[0]) * a[1] / base + exponent_error)
+def _power(f, a, b, m, n):
+    base = np.where(a == 0, 1.0, np.abs(a))
+    exponent_error = np.where(np.isclose(b, np.round(b)), 0.0, np.abs(np.log(base)) * n)
+    return np.abs(f) * (1.0 + np.abs(b) * m / base + exponent_error)
 
 
-def _atan2(a, b):
-    result = np.arctan2(a[0], b[0])
-    square = a[0] * a[0] + b[0] * b[0]
-    return result, np.abs(result) + (np.abs(b[0]) * a[1] + np.abs(a[0]) * b[1]) / square
+def _atan2(f, a, b, m, n):
+    return np.abs(f) + (np.abs(b) * m + np.abs(a) * n) / (a * a + b * b)
 
 
-def _hypot(a, b):
-    result = np.hypot(a[0], b[0])
-    return result, result + (np.abs(a[0]) * a[1] + np.abs(b[0]) * b[1]) / result
-
+# What a whole number is, exact unless rounding takes the argument over one.
+_WHOLE = lambda f, a, m: np.abs(f)
 
 RULES = {
-    ca.OP_ASSIGN: lambda a: a,
-    ca.OP_ADD: _add,
-    ca.OP_SUB: _subtract,
-    ca.OP_MUL: _multiply,
-    ca.OP_DIV: _divide,
-    ca.OP_NEG: _negate,
-    ca.OP_INV: _invert,
-    ca.OP_SQ: _square,
-    ca.OP_TWICE: _twice,
-    ca.OP_FABS: _absolute,
-    ca.OP_SIGN: _sign,
-    ca.OP_FLOOR: _floor,
-    ca.OP_FMIN: _minimum,
-    ca.OP_FMAX: _maximum,
-    ca.OP_IF_ELSE_ZERO: _if_else_zero,
-    ca.OP_POW: _power,
-    ca.OP_CONSTPOW: _power,
-    ca.OP_ATAN2: _atan2,
-    ca.OP_HYPOT: _hypot,
-    ca.OP_NOT: _not,
+    ca.OP_ASSIGN: Rule(1, lambda a: a, lambda f, a, m: m),
+    ca.OP_ADD: Rule(2, np.add, lambda f, a, b, m, n: m + n),
+    ca.OP_SUB: Rule(2, np.subtract, lambda f, a, b, m, n: m + n),
+    ca.OP_MUL: Rule(2, np.multiply, lambda f, a, b, m, n: m * n),
+    ca.OP_DIV: Rule(2, np.divide, lambda f, a, b, m, n: m * n / (b * b)),
+    ca.OP_NEG: Rule(1, np.negative, lambda f, a, m: m),
+    ca.OP_INV: Rule(1, np.reciprocal, lambda f, a, m: m / (a * a)),
+    ca.OP_SQ: Rule(1, np.square, lambda f, a, m: m * m),
+    ca.OP_TWICE: Rule(1, lambda a: a + a, lambda f, a, m: m + m),
+    ca.OP_FABS: Rule(1, np.abs, lambda f, a, m: m),
+    ca.OP_SIGN: Rule(1, np.sign, _WHOLE),
+    ca.OP_FLOOR: Rule(1, np.floor, _WHOLE),
+    ca.OP_FMIN: Rule(2, np.fmin, lambda f, a, b, m, n: np.maximum(m, n)),
+    ca.OP_FMAX: Rule(2, np.fmax, lambda f, a, b, m, n: np.maximum(m, n)),
+    ca.OP_IF_ELSE_ZERO: Rule(2, _if_else_zero, lambda f, a, b, m, n: np.where(a != 0, n, 0.0)),
+    ca.OP_POW: Rule(2, np.power, _power),
+    ca.OP_CONSTPOW: Rule(2, np.power, _power),
+    ca.OP_ATAN2: Rule(2, np.arctan2, _atan2),
+    ca.OP_HYPOT: Rule(2, np.hypot, lambda f, a, b, m, n: f + (np.abs(a) * m + np.abs(b) * n) / f),
+    ca.OP_NOT: Rule(1, lambda a: (a == 0).astype(a.dtype), lambda f, a, m: f),
     ca.OP_LT: _choice(np.less),
     ca.OP_LE: _choice(np.less_equal),
     ca.OP_EQ: _choice(np.equal),

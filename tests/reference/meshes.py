@@ -9,6 +9,7 @@ import numpy as np
 
 import gears
 from expressions import entry
+from quadrature import gauss
 
 POSITIONS = 256
 FOUNDATION = {
@@ -264,7 +265,7 @@ class Mesh:
         overlap = width * np.sin(abs(self.pair.wheels[0].helix)) / (np.pi * self.pair.wheels[0].module)
         if overlap == 0:
             return wave
-        nodes, weights = np.polynomial.legendre.leggauss(60)
+        nodes, weights = gauss(60)
         shifts = np.pi * h * overlap * nodes
         # a cos(x − s) + b sin(x − s), the parts that are odd in s being none.
         even = float(np.sum(weights * np.cos(shifts))) / 2
@@ -472,7 +473,7 @@ def _straight(rack, height, section, young, poisson, width):
         return (height - foot) ** 3 / (3 * young * (width * thickness(height) ** 3 / 12))
     plate = young / (1 - poisson**2) if width > 5 * thickness(0) else young
     shear = young / (2 * (1 + poisson))
-    nodes, weights = np.polynomial.legendre.leggauss(60)
+    nodes, weights = gauss(60)
     y = (height + foot) / 2 + (height - foot) / 2 * nodes
     # N = (cos α across the tooth, sin α down along it), at half its thickness beside the middle.
     bent = (height - y) * np.cos(rack.angle) - thickness(height) / 2 * np.sin(rack.angle)
@@ -497,7 +498,7 @@ def _profile(toothing, along, young, poisson, width):
     thick = 2 * toothing.pitch * _half(toothing, toothing.transverse_angle)
     plate = young / (1 - poisson**2) if width > 5 * thick else young
     shear = young / (2 * (1 + poisson))
-    nodes, weights = np.polynomial.legendre.leggauss(40)
+    nodes, weights = gauss(40)
 
     def slices(y, x, dy):
         moment = (height - y) * np.cos(load) - across * np.sin(load)

@@ -22,7 +22,7 @@ LEAST = 1e-3
 class RoundingEvaluator(Evaluator):
     def __call__(self, *arguments):
         results = super().__call__(*arguments)
-        coarse = super().__call__(*arguments, dtype=np.float32)
+        coarse = self.values(*arguments, dtype=np.float32)
         for name, result in results.items():
             if result.values.size:
                 bound = rounding_bound(result.values, coarse[name].values)

@@ -8,6 +8,8 @@ import math
 
 import numpy as np
 
+from quadrature import gauss
+
 
 class Thick:
     """N and ψ of the modes of one way of bending, N over the length and ψ by ξ."""
@@ -78,7 +80,7 @@ class Thick:
         mode = b, coefficients
         if self.shapes == "pinned":
             return b, coefficients / coefficients[3]
-        nodes, weights = np.polynomial.legendre.leggauss(40)
+        nodes, weights = gauss(40)
         square = sum(
             w / 2 * (self._sum(mode, (1 + s) / 2, 0, 0) ** 2 + self.r2 * self._sum(mode, (1 + s) / 2, 0, 1) ** 2) for s, w in zip(nodes, weights)
         )
