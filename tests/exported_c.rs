@@ -6,7 +6,7 @@ use linkwright::{
     StepMethod, Stepper, Vector,
 };
 use linkwright_compiler::export::{self, Scalar};
-use linkwright_compiler::{Compiled, compile_with, parse};
+use linkwright_compiler::{Compiled, compile_with, model, parse};
 use mechanisms::registry::{Model, for_each};
 use std::fmt::Write;
 use std::path::Path;
@@ -25,8 +25,7 @@ fn steps_have_the_same_bits<M: Model>() {
         return;
     }
     let definition = parse(M::source().parse().expect("the source was tokens")).expect("it was a definition");
-    let projected =
-        compile_with(&definition, None, &[]).expect("it compiled").mechanism.options.emit.projection;
+    let projected = model::lower(&definition).expect("it is a mechanism").options.emit.projection;
     let compiled = compile_with(&definition, None, &["projection"]).expect("it compiles");
     let refused = export::refused(&compiled);
     assert_eq!(refused.is_none(), M::standard().takes_whole_steps(), "{refused:?}");

@@ -16,8 +16,6 @@ use std::sync::Mutex;
 
 /// States at which a mechanism is evaluated.
 const POINTS: usize = 3;
-/// Mechanisms of more instructions are built without optimisation.
-const LARGE: usize = 2_000;
 
 #[test]
 fn every_function_in_c_is_its_program() {
@@ -193,11 +191,9 @@ fn build(compiled: &Compiled, program: &Path) {
     }
     text.push_str("return 0;\n}\n");
     write("main.c", &text);
-    let size: usize = compiled.programs.functions.iter().map(|(_, program)| program.instructions.len()).sum();
-    let optimised = if size > LARGE { "-O0" } else { "-O1" };
     let cc = |options: &[&str], output: PathBuf, file: &str| {
         let built = Command::new("cc")
-            .args([optimised, "-std=c99", "-ffp-contract=off", "-fno-asynchronous-unwind-tables"])
+            .args(["-O0", "-std=c99", "-ffp-contract=off", "-fno-asynchronous-unwind-tables"])
             .args(options)
             .arg("-o")
             .arg(output)
