@@ -199,8 +199,8 @@ fn a_block_slides_back_down_a_steep_slope() {
     methods[1] =
         run(1e-3).integrator(DormandPrince::tolerance(1e-11)).run_until(1.0, |_| {}).expect("it moves").q[0];
     methods[2] = run(1e-3).formulation(LagrangeIndex1).run_until(1.0, |_| {}).expect("it moves").q[0];
-    methods[3] = run(1e-5).integrator(SemiImplicitEuler).run_until(1.0, |_| {}).expect("it moves").q[0];
-    for (found, within) in methods.into_iter().zip([1e-11, 1e-9, 1e-11, 2e-4]) {
+    methods[3] = run(1e-4).integrator(SemiImplicitEuler).run_until(1.0, |_| {}).expect("it moves").q[0];
+    for (found, within) in methods.into_iter().zip([1e-11, 1e-9, 1e-11, 2e-3]) {
         close(found, 0.017_843_517_838_295, within, "30 degrees: where it is after 1 s");
     }
     let state = run(1e-3).run_until(1.0, |_| {}).expect("it moves");
