@@ -95,7 +95,7 @@ class Beam:
 
     def slices(self):
         """x and share of the mass of each."""
-        nodes, weights = _rule(SLICES)
+        nodes, weights = gauss(SLICES)
         return [(self.start + self.length * (1 + s) / 2, w / 2) for s, w in zip(nodes, weights)]
 
     def shape(self, mode, x, order):
@@ -138,7 +138,7 @@ class Beam:
     @functools.cache
     def _integral(self, j, k, x):
         """Of N_j′ N_k′ from the start to x."""
-        nodes, weights = _rule(2 * SLICES)
+        nodes, weights = gauss(2 * SLICES)
         span = x - self.start
         at = [self.start + span * (1 + s) / 2 for s in nodes]
         return span / 2 * sum(w * self.shape(j, s, 1) * self.shape(k, s, 1) for s, w in zip(at, weights))
@@ -241,11 +241,6 @@ def _torsion_of_rectangle(height, width):
     fifths = sum(n**-5.0 for n in range(20001, 0, -2))
     lacking = sum(2 / (1 + ca.exp(n * ca.pi * height / width)) / n**5 for n in odd)
     return height * width**3 / 3 - 64 / ca.pi**5 * width**4 * (fifths - lacking)
-
-
-@functools.cache
-def _rule(count):
-    return gauss(count)
 
 
 @functools.cache

@@ -73,7 +73,7 @@ class Evaluator:
                 self.inputs.append(reads)
             elif operation in RULES:
                 one, other = written_by[reads[0]], written_by[reads[-1]]
-                depth = 1 + (depths[one] if depths[one] > depths[other] else depths[other])
+                depth = 1 + max(depths[one], depths[other])
             else:
                 raise NotImplementedError(f"CasADi operation {operation}")
             written_by[writes_of(k)[0]] = len(depths)
@@ -104,22 +104,15 @@ class Evaluator:
                 self.groups.append(Group(rule, rows, (first[rows], second[rows])[: rule.operands]))
         self.results = [(output, entry, row[index]) for output, entry, index in self.results]
 
-    def __call__(self, *arguments, dtype=np.float64):
-        """`arguments` as (states, size) each; returns a `Result` by name, computed in numbers of `dtype`."""
-        results, value, magnitude = self._values(arguments, dtype, with_magnitudes=True)
-        for output, entry, row in self.results:
-            results[output].values[:, entry] = value[row]
-            results[output].magnitudes[:, entry] = magnitude[row]
-        return dict(zip(self.outputs, results))
+    def __call__(self, *arguments):
+        """`arguments` as (states, size) each; returns a `Result` by name."""
+        return self._results(arguments, np.float64, with_magnitudes=True)
 
-    def values(self, *arguments, dtype=np.float64):
-        """The same without magnitudes, which stay zero."""
-        results, value, _ = self._values(arguments, dtype, with_magnitudes=False)
-        for output, entry, row in self.results:
-            results[output].values[:, entry] = value[row]
-        return dict(zip(self.outputs, results))
+    def values(self, *arguments, dtype):
+        """The same computed in numbers of `dtype`, without magnitudes, which stay zero."""
+        return self._results(arguments, dtype, with_magnitudes=False)
 
-    def _values(self, arguments, dtype, with_magnitudes):
+    def _results(self, arguments, dtype, with_magnitudes):
         arguments = [np.atleast_2d(np.asarray(argument, float)) for argument in arguments]
         states = len(arguments[0])
         for k, argument in enumerate(arguments):
@@ -144,8 +137,13 @@ class Evaluator:
                 if with_magnitudes:
                     magnitudes = [magnitude[reads] for reads in group.reads]
                     magnitude[group.rows] = group.rule.magnitude(result, *operands, *magnitudes)
-        results = [Result(output, states, is_matrix(name)) for name, output in self.outputs.items()]
-        return results, value, magnitude
+        results = {name: Result(output, states, is_matrix(name)) for name, output in self.outputs.items()}
+        ordered = list(results.values())
+        for output, entry, row in self.results:
+            ordered[output].values[:, entry] = value[row]
+            if with_magnitudes:
+                ordered[output].magnitudes[:, entry] = magnitude[row]
+        return results
 
 
 class Rule:
@@ -180,8 +178,10 @@ def _atan2(f, a, b, m, n):
     return np.abs(f) + (np.abs(b) * m + np.abs(a) * n) / (a * a + b * b)
 
 
-# What a whole number is, exact unless rounding takes the argument over one.
-_WHOLE = lambda f, a, m: np.abs(f)
+def _whole(f, a, m):
+    # Exact, unless rounding takes the argument over a whole number.
+    return np.abs(f)
+
 
 RULES = {
     ca.OP_ASSIGN: Rule(1, lambda a: a, lambda f, a, m: m),
@@ -194,8 +194,8 @@ RULES = {
     ca.OP_SQ: Rule(1, np.square, lambda f, a, m: m * m),
     ca.OP_TWICE: Rule(1, lambda a: a + a, lambda f, a, m: m + m),
     ca.OP_FABS: Rule(1, np.abs, lambda f, a, m: m),
-    ca.OP_SIGN: Rule(1, np.sign, _WHOLE),
-    ca.OP_FLOOR: Rule(1, np.floor, _WHOLE),
+    ca.OP_SIGN: Rule(1, np.sign, _whole),
+    ca.OP_FLOOR: Rule(1, np.floor, _whole),
     ca.OP_FMIN: Rule(2, np.fmin, lambda f, a, b, m, n: np.maximum(m, n)),
     ca.OP_FMAX: Rule(2, np.fmax, lambda f, a, b, m, n: np.maximum(m, n)),
     ca.OP_IF_ELSE_ZERO: Rule(2, _if_else_zero, lambda f, a, b, m, n: np.where(a != 0, n, 0.0)),
