@@ -51,8 +51,7 @@ pub fn regroup(selected: &mut Selected, rows: &[&[u32]]) {
         }
         instead = sums.in_order(&models);
     }
-    let mut gone = vec![false; selected.program.instructions.len()];
-    instead.iter().flatten().flat_map(|sum| &sum.inner).for_each(|index| gone[*index as usize] = true);
+    let gone = unneeded(&selected.program, &instead);
     if gone.contains(&true) {
         replace(selected, &gone, &instead);
         let order = operands_first(&selected.program);
@@ -60,10 +59,24 @@ pub fn regroup(selected: &mut Selected, rows: &[&[u32]]) {
     }
 }
 
-/// The instructions of a sum, and those that computed parts of it alone.
-struct Sum {
-    instructions: Vec<Instruction>,
-    inner: Vec<u32>,
+/// The instructions of a sum, one after the other.
+type Sum = Vec<Instruction>;
+
+/// Whether nothing needs an instruction once these sums stand in place of their last.
+fn unneeded(program: &Program, instead: &[Option<Sum>]) -> Vec<bool> {
+    let mut gone = vec![true; program.instructions.len()];
+    let need = |gone: &mut Vec<bool>, operand: Operand| match operand {
+        Operand::Value(value) if value != BEFORE => gone[value as usize] = false,
+        _ => {}
+    };
+    program.outputs.iter().for_each(|output| need(&mut gone, *output));
+    for (index, instruction) in program.instructions.iter().enumerate().rev() {
+        if !gone[index] {
+            let own = instead[index].as_ref().map_or(std::slice::from_ref(instruction), Vec::as_slice);
+            own.iter().flat_map(Instruction::operands).for_each(|operand| need(&mut gone, operand));
+        }
+    }
+    gone
 }
 
 /// Each instruction behind those that it needs and no others, so that few values are alive at once.
@@ -98,7 +111,8 @@ fn operands_first(program: &Program) -> Vec<usize> {
 struct Sums<'a> {
     program: &'a Program,
     nodes: &'a [Node],
-    /// Whether an instruction is needed once, by a sum to which it is added.
+    /// Whether an instruction is needed by nothing but sums that it is a part of: by one to which it is added, or by several if it costs none of
+    /// them an operation.
     goes_on: Vec<bool>,
     /// How many operations, one after the other, each takes, as far as that is known.
     depth: Vec<usize>,
@@ -137,7 +151,54 @@ impl<'a> Sums<'a> {
                 goes_on[value as usize] = uses[value as usize] == 1;
             }
         }
-        Sums { program, nodes: &selected.nodes, goes_on, depth: vec![0; program.instructions.len()] }
+        let depth = vec![0; program.instructions.len()];
+        let mut sums = Sums { program, nodes: &selected.nodes, goes_on, depth };
+        sums.spread_constants(&uses);
+        sums
+    }
+
+    /// Of a constant and one term, k + a·b, each sum with a constant of its own takes the term alone in as many operations.
+    fn spread_constants(&mut self, uses: &[u32]) {
+        let instructions = &self.program.instructions;
+        let is_constant = |operand: &Operand| matches!(operand, Operand::Constant(_));
+        let is_sum =
+            |operand: &Operand| matches!(operand, Operand::Value(value) if self.goes_on[*value as usize]);
+        let of_two = |instruction: &Instruction| {
+            let (constants, sums) =
+                (added(instruction).filter(is_constant), added(instruction).filter(is_sum));
+            !matches!(instruction, Instruction::Neg(_)) && constants.count() == 1 && sums.count() == 0
+        };
+        // The last instruction of the sum that each belongs to, and whether a constant is added there.
+        let mut last: Vec<usize> = (0..instructions.len()).collect();
+        let mut has_constant = vec![false; instructions.len()];
+        for (index, instruction) in instructions.iter().enumerate().rev() {
+            let own = last[index];
+            for operand in added(instruction) {
+                match operand {
+                    Operand::Value(value) if self.goes_on[value as usize] => last[value as usize] = own,
+                    Operand::Constant(_) => has_constant[own] = true,
+                    _ => {}
+                }
+            }
+        }
+        let mut taken = vec![0; instructions.len()];
+        for (index, instruction) in
+            instructions.iter().enumerate().filter(|(index, _)| has_constant[last[*index]])
+        {
+            for operand in added(instruction) {
+                if let Operand::Value(value) = operand {
+                    taken[value as usize] += u32::from(last[index] != value as usize);
+                }
+            }
+        }
+        let spreads = |index: &usize| {
+            !self.goes_on[*index]
+                && uses[*index] > 1
+                && taken[*index] == uses[*index]
+                && of_two(&instructions[*index])
+        };
+        let spread: Vec<usize> = (0..instructions.len()).filter(spreads).collect();
+        spread.into_iter().for_each(|index| self.goes_on[index] = true);
     }
 
     /// The sums of the program, by their last instructions, each in the order of its model if that is alike.
@@ -150,11 +211,10 @@ impl<'a> Sums<'a> {
                 let model = (models[root] != root as u32).then(|| self.terms(models[root]).0);
                 let order = order(model.as_deref().filter(|model| alike(model, &terms)).unwrap_or(&terms));
                 terms = order.into_iter().map(|at| terms[at]).collect();
-                let instructions = added_up(terms, inner.len() + 1);
-                sum = instructions.map(|instructions| Sum { instructions, inner });
+                sum = added_up(terms, inner + 1);
             }
             self.depth[root] = match &sum {
-                Some(sum) => sum.instructions.iter().fold(0, |before, own| self.depth_of(own, before)),
+                Some(sum) => sum.iter().fold(0, |before, own| self.depth_of(own, before)),
                 None => self.depth_of(instruction, 0),
             };
             sums.push(sum);
@@ -162,9 +222,9 @@ impl<'a> Sums<'a> {
         sums
     }
 
-    /// The terms of a sum, and the instructions that compute parts of it alone.
-    fn terms(&self, root: u32) -> (Vec<Term>, Vec<u32>) {
-        let (mut terms, mut inner) = (Vec::new(), Vec::new());
+    /// The terms of a sum, and how many other instructions compute parts of it.
+    fn terms(&self, root: u32) -> (Vec<Term>, usize) {
+        let (mut terms, mut inner) = (Vec::new(), 0);
         let mut pending = vec![(Operand::Value(root), false)];
         while let Some((operand, minus)) = pending.pop() {
             let part = match operand {
@@ -185,9 +245,9 @@ impl<'a> Sums<'a> {
                     continue;
                 }
             }
-            inner.extend(part.filter(|part| *part != root));
+            inner += usize::from(part != Some(root));
         }
-        (terms, inner)
+        (constants_added(terms), inner)
     }
 
     fn term(&self, of: Of, minus: bool) -> Term {
@@ -213,6 +273,23 @@ impl<'a> Sums<'a> {
     }
 }
 
+/// The terms with their constants in one, in the place of the first.
+fn constants_added(mut terms: Vec<Term>) -> Vec<Term> {
+    let constant = |term: &Term| match term.of {
+        Of::Value(Operand::Constant(value)) => Some(if term.minus { -value } else { value }),
+        _ => None,
+    };
+    if terms.iter().filter_map(constant).count() > 1 {
+        let sum: f64 = terms.iter().filter_map(constant).sum();
+        let mut of = Some(Of::Value(Operand::Constant(sum.abs()))).filter(|_| sum != 0.0);
+        terms.retain_mut(|term| match constant(term) {
+            Some(_) => of.take().map(|of| (term.of, term.minus) = (of, sum < 0.0)).is_some(),
+            None => true,
+        });
+    }
+    terms
+}
+
 /// Whether two sums have terms of one form.
 fn alike(one: &[Term], other: &[Term]) -> bool {
     let form = |term: &Term| (term.minus, term.is_product());
@@ -226,11 +303,11 @@ fn order(terms: &[Term]) -> Vec<usize> {
     order
 }
 
-/// The sum of these, one instruction after the other; `None` if that takes more than at present, or if no term is a product.
-fn added_up(mut terms: Vec<Term>, present: usize) -> Option<Vec<Instruction>> {
+/// The sum of these, one instruction after the other; `None` if that takes more than at present, or as much and no term is a product.
+fn added_up(mut terms: Vec<Term>, present: usize) -> Option<Sum> {
     let products = terms.iter().filter(|term| term.is_product()).count();
     let fewest = if products == terms.len() { products } else { terms.len() - 1 };
-    if products == 0 || terms.len() == 1 || fewest > present {
+    if terms.len() < 2 || fewest > present || (products == 0 && fewest == present) {
         return None;
     }
     let first = terms.iter().position(|term| !term.is_product());
@@ -274,7 +351,7 @@ fn replace(selected: &mut Selected, gone: &[bool], instead: &[Option<Sum>]) {
     let mut made = Made::default();
     let mut of = Vec::with_capacity(gone.len());
     for (index, instruction) in program.instructions.iter().enumerate().filter(|(index, _)| !gone[*index]) {
-        let own = instead[index].as_ref().map(|sum| sum.instructions.as_slice());
+        let own = instead[index].as_ref().map(Vec::as_slice);
         let mut before = 0;
         for instruction in own.unwrap_or(std::slice::from_ref(instruction)) {
             let moved = |operand: Operand| match operand {
@@ -423,6 +500,37 @@ mod tests {
         assert_eq!(depth, 2 * (SYMBOLS - 1) + 1, "one operation behind the late one");
     }
 
+    #[test]
+    fn constants_are_one_term() {
+        // (1 + x₀) + (2 − x₁·x₂), and (1 + x₀) + (−1 + x₁) where nothing is left.
+        let both = |constant: f64| {
+            operations(move |g, x| {
+                let [one, other] = [1.0, constant].map(|value| g.constant(value));
+                let (product, first) = (g.mul(x[1], x[2]), g.add(one, x[0]));
+                let second = g.sub(other, product);
+                g.add(first, second)
+            })
+        };
+        assert_eq!(both(2.0).0, 2);
+        assert_eq!(both(-1.0).0, 1);
+    }
+
+    #[test]
+    fn a_constant_and_a_term_go_into_sums_with_constants() {
+        // k = 2 + x₀·x₁ in 1 + x₂ + k and 3 + x₃ − k; in x₃ − k it stays.
+        let operations = |last: f64| {
+            let (mut g, x) = graph();
+            let [one, two, last] = [1.0, 2.0, last].map(|value| g.constant(value));
+            let product = g.mul(x[0], x[1]);
+            let k = g.add(two, product);
+            let (first, second) = (g.add(one, x[2]), g.add(last, x[3]));
+            let outputs = [g.add(first, k), g.sub(second, k)];
+            count(&program(&g, &outputs)).total()
+        };
+        assert_eq!(operations(3.0), 4);
+        assert_eq!(operations(0.0), 4);
+    }
+
     /// Numbers below a bound (Knuth, The Art of Computer Programming 2, 3.3.4, line 26 of table 1).
     struct Numbers(u64);
 
@@ -442,8 +550,12 @@ mod tests {
             let (mut graph, mut nodes) = graph();
             for _ in 0..6 + numbers.below(30) {
                 let [a, b] = [0; 2].map(|_| nodes[numbers.below(nodes.len())]);
-                let node = match numbers.below(8) {
+                let node = match numbers.below(9) {
                     0 => graph.neg(a),
+                    8 => {
+                        let constant = graph.constant(numbers.below(5) as f64 - 2.0);
+                        graph.sub(constant, a)
+                    }
                     1..=3 => graph.add(a, b),
                     4 => graph.sub(a, b),
                     _ => graph.mul(a, b),
