@@ -567,6 +567,18 @@ impl Graph {
         }
     }
 
+    /// The constant k, x and y of k·x and k·y, whichever of them are negative.
+    pub(super) fn common_coefficient(&mut self, a: Node, b: Node) -> Option<(Node, [Node; 2])> {
+        let scaled = |node: Node| match self.op(node) {
+            Op::Neg(positive) => (true, self.split(positive)),
+            _ => (false, self.split(node)),
+        };
+        let ((a_minus, (k, x)), (b_minus, (l, y))) = (scaled(a), scaled(b));
+        let k = k.filter(|k| l == Some(*k) && self.value(*k).is_some())?;
+        let signed = |graph: &mut Self, minus: bool, part: Node| if minus { graph.neg(part) } else { part };
+        Some((k, [signed(self, a_minus, x), signed(self, b_minus, y)]))
+    }
+
     /// p + (r + x) = (p + r) + x where p and r change more seldom than x.
     fn join_seldom(&mut self, a: Node, b: Node) -> Option<Node> {
         for (p, sum) in [(a, b), (b, a)] {

@@ -104,6 +104,11 @@ impl<'g> Scalar<'g> {
     pub fn is_zero(self) -> bool {
         self.g.is_zero(self.bare)
     }
+    /// The constant k, x and y of k·x and k·y, whichever of them are negative.
+    pub fn common_coefficient(self, other: Self) -> Option<(Self, [Self; 2])> {
+        let (k, parts) = self.g.graph().common_coefficient(self.bare, other.bare)?;
+        Some((self.g.on(k), parts.map(|part| self.g.on(part))))
+    }
     pub fn class(self) -> Class {
         self.g.0.borrow().class(self.bare)
     }

@@ -71,10 +71,15 @@ impl<'g> On<'g, Vec3> {
         vector(|k| self.at(k) / length)
     }
 
-    /// Turned about z.
+    /// Turned about z. A constant that x and y have in common is left out of the turn: half of what is turned elsewhere is half of the result.
     pub fn turned_about_z(self, cos: Scalar<'g>, sin: Scalar<'g>) -> Self {
-        let [x, y, z] = self.bare;
-        self.g.on([(cos * x - sin * y).bare, (sin * x + cos * y).bare, z])
+        let [x, y, z] = self.parts();
+        let turned = |x: Scalar<'g>, y: Scalar<'g>| [cos * x - sin * y, sin * x + cos * y];
+        let [x, y] = match x.common_coefficient(y) {
+            Some((k, [x, y])) => turned(x, y).map(|part| k * part),
+            None => turned(x, y),
+        };
+        self.g.on([x.bare, y.bare, z.bare])
     }
 }
 
