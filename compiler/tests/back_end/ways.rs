@@ -2,7 +2,7 @@
 
 use crate::compiled;
 use linkwright_compiler::Compiled;
-use linkwright_compiler::equations::space::{Inertial, joints};
+use linkwright_compiler::equations::space::{Cosines, Inertial, joints};
 use linkwright_compiler::equations::{JointRow, Laws};
 use linkwright_compiler::model::JointId;
 use linkwright_compiler::schedule::Inputs;
@@ -23,13 +23,16 @@ const PAIR: &str = "spatial Pair {
     joint k: JOINT;
 }";
 
-/// From the ground, where the loop's ways meet; from a body that moves; and free bodies.
-const HOLDS: [&str; 3] = [
+/// From the ground, where the loop's ways meet; from a body that moves; free bodies; and where one way is made of hinges.
+const HOLDS: [&str; 4] = [
     "joint left: spherical(ground(0, 0, 0.1) [m], a.origin); joint right: spherical(ground(0.5, 0, 0.1) [m], b.origin);
      joint swing: revolute(ground(0, 0, 0) [m], base.origin, axis = (0, 1, 0)); options { coordinates = tree; cut = (k); }",
     "joint left: spherical(base.left, a.origin); joint right: spherical(base.right, b.origin);
      joint swing: revolute(ground(0, 0, 0) [m], base.origin, axis = (1, 2, 2)); options { coordinates = tree; cut = (k); }",
     "options { coordinates = absolute; }",
+    "joint left: universal(base.left, a.origin, axis = (1, 0, 0), second_axis = (0, 1, 0));
+     joint right: spherical(ground(0.5, 0, 0.1) [m], b.origin);
+     joint swing: revolute(ground(0, 0, 0) [m], base.origin, axis = (1, 2, 2)); options { coordinates = tree; cut = (k); }",
 ];
 
 /// With each kind of row.
@@ -91,8 +94,11 @@ fn rows_of_joints() {
             );
             let id = compiled.mechanism.joints.iter().position(|joint| joint.name.text == "k");
             let id = JointId(id.expect("it is there"));
-            let inertial = Inertial::new(laws.space().expect("a spatial mechanism"));
-            let ways = [None, Some(&inertial)].map(|way| joints::rows(&laws, &equations.tree, id, way));
+            let space = laws.space().expect("a spatial mechanism");
+            let [directions, turning] =
+                [Cosines::Directions, Cosines::Turning].map(|cosines| Inertial::new(space, cosines));
+            let ways = [None, Some(&directions), Some(&turning)];
+            let ways = ways.map(|way| joints::rows(&laws, &equations.tree, id, way));
             let part = |row: &JointRow, which: usize| -> Vec<Node> {
                 let columns = (0..equations.symbols.v.len())
                     .map(|velocity| row.jet.columns.get(&velocity).copied().unwrap_or(equations.zero));
@@ -108,8 +114,14 @@ fn rows_of_joints() {
                     .each_ref()
                     .map(|rows| rows.iter().flat_map(|row| part(row, which)).collect::<Vec<Node>>());
                 let at = state(&compiled, &mut random, true);
-                let [one, other] = parts.each_ref().map(|nodes| values(&compiled, &at, nodes));
-                assert_same(&one, &other, &format!("{} of {joint}, {hold}", ["Φ", "D", "D v", "−γ"][which]));
+                let [one, others @ ..] = parts.each_ref().map(|nodes| values(&compiled, &at, nodes));
+                for other in others {
+                    assert_same(
+                        &one,
+                        &other,
+                        &format!("{} of {joint}, {hold}", ["Φ", "D", "D v", "−γ"][which]),
+                    );
+                }
             }
         }
     }

@@ -4,26 +4,44 @@
 //!   ẇ = ω × s + ṡ + axes R u̇,   ẅ = U s + 2 ω × ṡ + s̈ + axes R ü,
 //! where s = at + axes slide is what the parent holds, and ṡ, s̈ how that moves in it; nothing is turned but the sums.
 //! (Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 5; Luh, Walker, Paul 1980.)
+//!
+//! The cosine u·w of directions that two links hold needs neither ü nor ẅ: with n = u × w and Ω = ω₁ − ω₂ its rate is Ω·n, and from
+//! ṅ = u (ω₁·w) − w (ω₂·u) − Ω (u·w) follows, at v̇ = 0,
+//!   (u·w)¨ = (α₁ − α₂)·n + 2 (Ω·u)(Ω·w) + (ω₂·w)(Ω·u) − (ω₁·u)(Ω·w) − Ω² (u·w),
+//! where ω₁·u and ω₂·w are components in the links' own axes, and the columns of n on the way to a link are the entries of D.
 
 use super::dynamics::{LinkMotion, motions};
 use super::kinematics::{Kinematics, Spot};
-use super::links::{GROUND, LinkId};
+use super::links::{GROUND, LinkId, Motion};
 use super::vector::{self, Vec3};
 use super::vector_jet::{Kind, VectorJet};
 use crate::equations::jet::{Jet, Moving};
-use crate::symbolic::On;
+use crate::symbolic::{On, Scalar};
 use std::collections::BTreeMap;
+
+/// The entries of a row of D.
+type Columns<'g> = BTreeMap<usize, Scalar<'g>>;
+
+/// How cosines are derived.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cosines {
+    /// By how the ground sees either direction move.
+    Directions,
+    /// By how the links turn against each other.
+    Turning,
+}
 
 /// The links, with their motions at v̇ = 0.
 pub struct Inertial<'g> {
     kinematics: On<'g, &'g Kinematics>,
     motions: Vec<LinkMotion<'g>>,
+    cosines: Cosines,
 }
 
 impl<'g> Inertial<'g> {
-    pub fn new(kinematics: On<'g, &'g Kinematics>) -> Self {
+    pub fn new(kinematics: On<'g, &'g Kinematics>, cosines: Cosines) -> Self {
         let motions = motions(kinematics, None, vector::zero(kinematics.g));
-        Inertial { kinematics, motions }
+        Inertial { kinematics, motions, cosines }
     }
 
     /// A place on a link, as seen from the ground, m: ẋ and ẍ at v̇ = 0 as above, m/s and m/s².
@@ -32,39 +50,123 @@ impl<'g> Inertial<'g> {
     }
 
     /// u·w of directions that are fixed on the links of two places. With n = u × w the rate is n·(ω₁ − ω₂), so that the entry of D is a·n for a
-    /// velocity about a on the way to the first, and −a·n on that to the second; ü·w + 2 u̇·ẇ + u·ẅ at v̇ = 0.
-    pub fn cosine(&self, [first, second]: [&Spot<'g>; 2], u: On<'g, Vec3>, w: On<'g, Vec3>) -> Moving<'g> {
+    /// velocity about a on the way to the first, and −a·n on that to the second.
+    pub fn cosine(&self, places: [&Spot<'g>; 2], u: On<'g, Vec3>, w: On<'g, Vec3>) -> Moving<'g> {
+        match self.cosines {
+            Cosines::Directions => self.cosine_of_directions(places.map(|place| place.link), u, w),
+            Cosines::Turning => self.cosine_of_turning(places.map(|place| place.link), u, w),
+        }
+    }
+
+    /// ü·w + 2 u̇·ẇ + u·ẅ at v̇ = 0.
+    fn cosine_of_directions(&self, ends: [LinkId; 2], u: On<'g, Vec3>, w: On<'g, Vec3>) -> Moving<'g> {
         let kinematics = self.kinematics;
         let g = kinematics.g;
-        let ends = [first.link, second.link];
         let meeting = kinematics.bare.meeting(ends[0], ends[1]);
         let seen = |fixed: On<'g, Vec3>, link: LinkId| {
             self.seen(VectorJet::fixed(fixed), link, meeting, Kind::Direction)
         };
         let (u, w) = (seen(u, ends[0]), seen(w, ends[1]));
         let normal = u.value().cross(w.value());
-        let mut columns = BTreeMap::new();
+        let mut columns = Columns::new();
         for (end, normal) in ends.into_iter().zip([normal, -normal]) {
-            let way = kinematics.bare.ancestors(end);
-            for at in way.into_iter().take_while(|at| *at != meeting) {
+            for at in self.way(meeting, end).into_iter().rev() {
                 for (velocity, axis) in g.on(&kinematics.bare.links[at]).turning() {
                     let axis = kinematics.carry(VectorJet::fixed(axis), at, meeting, Kind::Direction).value();
-                    let entry = columns.entry(velocity).or_insert_with(|| g.zero());
-                    *entry += axis.dot(normal);
+                    *columns.entry(velocity).or_insert_with(|| g.zero()) += axis.dot(normal);
                 }
             }
         }
-        columns.retain(|_, entry| !entry.is_zero());
         let bias = u.bias().dot(w.value()) + u.value().dot(w.bias()) + 2.0 * u.rate().dot(w.rate());
         let rate = u.rate().dot(w.value()) + u.value().dot(w.rate());
+        self.row(u.value().dot(w.value()), columns, bias, rate)
+    }
+
+    /// The same by the normal and how the links turn against each other, all of which is seen from where their ways meet.
+    fn cosine_of_turning(&self, ends: [LinkId; 2], u: On<'g, Vec3>, w: On<'g, Vec3>) -> Moving<'g> {
+        let kinematics = self.kinematics;
+        let meeting = kinematics.bare.meeting(ends[0], ends[1]);
+        let seen = |fixed: On<'g, Vec3>, link: LinkId| {
+            kinematics.carry(VectorJet::fixed(fixed), link, meeting, Kind::Direction).value()
+        };
+        let own = |link: LinkId, direction: On<'g, Vec3>| self.motions[link].omega.dot(direction);
+        let (first_about_u, second_about_w) = (own(ends[0], u), own(ends[1], w));
+        let (u, w) = (seen(u, ends[0]), seen(w, ends[1]));
+        let (value, normal) = (u.dot(w), u.cross(w));
+        let omega = self.turns(meeting, ends[0]) - self.turns(meeting, ends[1]);
+        let mut columns = Columns::new();
+        let first = self.along_the_way(meeting, ends[0], normal, &mut columns);
+        let second = self.along_the_way(meeting, ends[1], -normal, &mut columns);
+        let (about_u, about_w) = (omega.dot(u), omega.dot(w));
+        let bias = first + second + about_u * (2.0 * about_w + second_about_w)
+            - first_about_u * about_w
+            - omega.dot(omega) * value;
+        self.row(value, columns, bias, omega.dot(normal))
+    }
+
+    /// The links from one that carries another, itself left out, to that other, from the inside out.
+    fn way(&self, from: LinkId, to: LinkId) -> Vec<LinkId> {
+        let links = self.kinematics.bare.ancestors(to);
+        let mut way: Vec<LinkId> = links.into_iter().take_while(|at| *at != from).collect();
+        way.reverse();
+        way
+    }
+
+    /// ω of a link against one that carries it, in the axes of that.
+    fn turns(&self, from: LinkId, to: LinkId) -> On<'g, Vec3> {
+        let g = self.kinematics.g;
+        let v = &self.kinematics.bare.velocities;
+        let way = self.way(from, to).into_iter().rev();
+        way.map(|at| g.on(&self.kinematics.bare.links[at]))
+            .fold(vector::zero(g), |omega, link| link.up(omega + link.omega(v)))
+    }
+
+    /// Taken along from link to link, components of n are its entries of D; (α − α_from)·n at v̇ = 0.
+    fn along_the_way(
+        &self,
+        from: LinkId,
+        to: LinkId,
+        mut normal: On<'g, Vec3>,
+        columns: &mut Columns<'g>,
+    ) -> Scalar<'g> {
+        let g = self.kinematics.g;
+        let mut gyration = g.zero();
+        for at in self.way(from, to) {
+            let link = g.on(&self.kinematics.bare.links[at]);
+            let carrying = self.motions[link.bare.parent].omega;
+            let (before, turned) = (link.before(normal), link.down(normal));
+            // What turns about an axis is seen alike from before and behind it.
+            let (seen, carrying) = match link.bare.motion {
+                Motion::Turn { .. } => (before, link.before(carrying)),
+                _ => (turned, link.down(carrying)),
+            };
+            for (velocity, axis) in link.turning() {
+                *columns.entry(velocity).or_insert_with(|| g.zero()) += axis.dot(seen);
+            }
+            let turning = link.omega(&self.kinematics.bare.velocities);
+            gyration += (carrying.cross(turning) + link.turning_bias()).dot(seen);
+            normal = turned;
+        }
+        gyration
+    }
+
+    fn row(
+        &self,
+        value: Scalar<'g>,
+        mut columns: Columns<'g>,
+        bias: Scalar<'g>,
+        rate: Scalar<'g>,
+    ) -> Moving<'g> {
+        let g = self.kinematics.g;
+        columns.retain(|_, entry| !entry.is_zero());
         let jet = Jet {
-            value: u.value().dot(w.value()).bare,
+            value: value.bare,
             columns: columns.into_iter().map(|(velocity, entry)| (velocity, entry.bare)).collect(),
             drift: g.zero().bare,
             bias: bias.bare,
             known_rate: Some(rate.bare),
         };
-        g.zero().moving(&kinematics.bare.velocities, jet)
+        g.zero().moving(&self.kinematics.bare.velocities, jet)
     }
 
     /// A vector of a link in the axes of one that carries it.

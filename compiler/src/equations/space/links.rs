@@ -138,9 +138,14 @@ impl<'g> On<'g, &Link> {
         self.bare.axes * self.turn(x)
     }
 
+    /// A free vector of the parent in the axes of the link before its motion.
+    pub fn before(self, x: On<'g, Vec3>) -> On<'g, Vec3> {
+        vector::transposed(&self.bare.axes) * x
+    }
+
     /// A free vector of the parent in the link's own axes.
     pub fn down(self, x: On<'g, Vec3>) -> On<'g, Vec3> {
-        self.turn_back(vector::transposed(&self.bare.axes) * x)
+        self.turn_back(self.before(x))
     }
 
     /// ω relative to the parent, in the link's own axes.

@@ -21,7 +21,7 @@ pub use axes::matrix as place_axes;
 pub use bodies::consequences;
 pub use coordinates::{constant_axis, coordinates};
 pub use dynamics::{dynamics, kinetic_energy_of_slices};
-pub use inertial::Inertial;
+pub use inertial::{Cosines, Inertial};
 pub use kinematics::Kinematics;
 pub use tensor::Distribution;
 pub use trees::{absolute_operations, fewest_freedoms};

@@ -97,9 +97,9 @@ pub fn frames<'g>(laws: &Laws<'g>, joint: &Joint) -> Vec<On<'g, Mat3>> {
     joint.directions.iter().map(|axis| axes::joint_frame(laws, axis)).collect()
 }
 
-/// Constraint rows of a joint that carries nothing: by how the ground sees the links move, if that is given, else from link to link, with
-/// columns and with how each moves against the next (`vector_jet`). Both give the same functions of the motion; which takes fewer operations
-/// depends on what is computed anyway.
+/// Constraint rows of a joint that carries nothing: by how the ground sees the links move, if that is given, with cosines in either way
+/// (`inertial`), else from link to link, with columns and with how each moves against the next (`vector_jet`). All give the same functions of the
+/// motion; which takes fewest operations depends on what is computed anyway.
 pub fn rows<'g>(
     laws: &Laws<'g>,
     tree: &SpanningTree,
