@@ -369,6 +369,14 @@ fn newton_euler<'g>(
         .zip(motions)
         .map(|(distribution, motion)| needed(*distribution, motion))
         .collect();
+    // Moments that the parent's axes see as they are.
+    let mut unturned = vec![vector::zero(g); wrenches.len()];
+    for (at, link) in kinematics.bare.links.iter().enumerate().skip(1) {
+        let carrying = g.on(link).before(motions[link.parent].omega);
+        if let Some((moment, gyration)) = needed_by_turning(distributions[at], link, &motions[at], carrying) {
+            (wrenches[at].moment, unturned[at]) = (moment, gyration);
+        }
+    }
     for beam in beams {
         let motion = &motions[beam.link];
         let [moment, force] = beam.beyond(motion, accelerations);
@@ -385,7 +393,7 @@ fn newton_euler<'g>(
         }
         let carried = wrench.in_parent(g.on(link));
         let parent = &mut wrenches[link.parent];
-        parent.moment += carried.moment;
+        parent.moment += carried.moment + link.axes * unturned[at];
         parent.force += carried.force;
     }
     forces
@@ -414,6 +422,33 @@ pub fn needed<'g>(distribution: On<'g, Distribution>, motion: &LinkMotion<'g>) -
         distribution.g.sum(terms) - across(x, y) * spin.row(z).at(x) + lever.at(x)
     });
     Wrench { moment, force }
+}
+
+/// The moment of what turns about z and has only Ixx, Izz and h_y, in two parts: of N = (Ixx α_x + Izz ω_y ω_z, (Ixx − Izz) ω_z ω_x, …) + h × a
+/// the part (Izz − Ixx) ω_z (ω_y, −ω_x, 0) is seen by the parent as it is, with its own ω_x and ω_y in the axes before the turn, `carrying`, and what
+/// is left has no y. `None` of others, whose N_y has to be turned in any case.
+fn needed_by_turning<'g>(
+    distribution: On<'g, Distribution>,
+    link: &Link,
+    motion: &LinkMotion<'g>,
+    carrying: On<'g, Vec3>,
+) -> Option<(On<'g, Vec3>, On<'g, Vec3>)> {
+    let g = distribution.g;
+    let [xx, yy, zz, products @ ..] = distribution.inertia().parts();
+    let [h_x, h_y, h_z] = distribution.first().parts();
+    let vanish = [yy, h_x, h_z].iter().chain(&products).all(|part| part.is_zero());
+    if !matches!(link.motion, Motion::Turn { .. }) || !vanish || xx.is_zero() {
+        return None;
+    }
+    let LinkMotion { omega, alpha, acceleration, spin, .. } = *motion;
+    let own = [
+        xx * spin.row(2).at(1) + h_y * acceleration.at(2),
+        g.zero(),
+        zz * alpha.at(2) - xx * (omega.at(0) * omega.at(1)) - h_y * acceleration.at(0),
+    ];
+    let gyration = (zz - xx) * omega.at(2);
+    let seen = [gyration * carrying.at(1), -(gyration * carrying.at(0)), g.zero()];
+    Some((vector(|k| own[k]), vector(|k| seen[k])))
 }
 
 /// T = Σ ½ (m v² + 2 v·(ω × h) + ω·I ω), and what beams have beyond that.
