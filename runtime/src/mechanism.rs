@@ -508,7 +508,7 @@ pub trait Assemble<R: Real>: Mechanism<R> {
     #[doc(hidden)]
     fn lu(&self) -> Self::Lu;
     /// Factors D at a position for the velocities of [`dependent`](Assemble::dependent); returns the square of the smallest pivot,
-    /// relative to the size of its row ([`row_sizes`](Assemble::row_sizes)). Zero where it is not written out
+    /// relative to the size of its rows ([`row_sizes`](Assemble::row_sizes)), to a power of two. Zero where it is not written out
     /// (`options { emit = (null_space) }`): the runtime then factors by tables, as it does where a pivot is too small.
     #[doc(hidden)]
     fn factor_jacobian(&self, time: R, q: &Self::Q, lu: &mut Self::Lu) -> R {

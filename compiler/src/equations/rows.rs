@@ -83,7 +83,7 @@ pub struct RowOfJoint {
     pub form: &'static RowForm,
 }
 
-/// All rows, but for those `dropped`; of the ways in which they can be derived, each joint's are in the one that takes fewest operations
+/// All rows, but for those `dropped`; of the ways in which they can be derived, each joint's are in one that takes few operations
 /// beside what is `computed` anyway, if that is said.
 pub(super) fn rows<'g>(
     laws: &Laws<'g>,
@@ -93,8 +93,8 @@ pub(super) fn rows<'g>(
     mut computed: Option<Computed>,
 ) -> Vec<Row> {
     let mechanism = laws.mechanism;
-    let inertial = [Cosines::Directions, Cosines::Turning]
-        .map(|cosines| computed.as_ref().and(laws.space()).map(|it| Inertial::new(it, cosines)));
+    let inertial = computed.as_ref().and(laws.space()).map(Inertial::new);
+    let turning = inertial.as_ref().map(|directions| directions.with(Cosines::Turning));
     let mut rows = Vec::new();
     for (index, joint) in mechanism.joints.iter().enumerate().filter(|(index, _)| !carrying[*index]) {
         let id = JointId(index);
@@ -110,8 +110,7 @@ pub(super) fn rows<'g>(
             (Space::Planar, _) => kept(plane::joints::rows(laws, joint)),
             (Space::Spatial, None) => in_space(None),
             (Space::Spatial, Some(computed)) => {
-                let [directions, turning] = &inertial;
-                cheapest(laws, [None, directions.as_ref(), turning.as_ref()].map(in_space), computed)
+                cheap(laws, [None, inertial.as_ref(), turning.as_ref()].map(in_space), computed)
             }
         };
         rows.extend(kept.into_iter().map(|row| Row::new(Origin::Joint(id), &joint.name, row)));
@@ -136,8 +135,8 @@ pub(super) fn rows<'g>(
 /// A way is left for another that takes a twentieth less: what rows of other joints will have in common with either is not known yet.
 const LESS: (usize, usize) = (19, 20);
 
-/// The rows that take fewest operations beside what is computed anyway, which they are from then on.
-fn cheapest(laws: &Laws, ways: [Vec<JointRow>; 3], computed: &mut Computed) -> Vec<JointRow> {
+/// The rows in a way that takes few operations beside what is computed anyway, which they are from then on.
+fn cheap(laws: &Laws, ways: [Vec<JointRow>; 3], computed: &mut Computed) -> Vec<JointRow> {
     let graph = laws.g.graph();
     let nodes = |rows: &[JointRow]| -> Vec<Node> {
         let of_row = |row: &JointRow| {

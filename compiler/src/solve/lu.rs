@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 pub struct Lu<'g> {
     steps: Vec<Step<'g>>,
     pub is_dependent: Vec<bool>,
-    /// The square of the smallest pivot, relative to the sizes of its rows.
+    /// The square of the smallest pivot, relative to the sizes of its rows, each determinant's to a power of two.
     pub pivot: Scalar<'g>,
 }
 
@@ -53,7 +53,7 @@ pub fn factor<'g>(
     Lu { steps, is_dependent, pivot: smallest(g, &watched) }
 }
 
-/// A determinant, its reciprocal and its size along the motion.
+/// A determinant, its reciprocal and its size along the motion, to a power of two.
 type Watched<'g> = (Scalar<'g>, Scalar<'g>, f64);
 
 /// So many determinants are watched themselves; of more their reciprocals, which are alive until the end anyway.

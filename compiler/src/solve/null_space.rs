@@ -21,7 +21,7 @@ pub struct NullSpace {
     pub kept: Vec<Node>,
     pub stand_ins: Vec<Node>,
     pub given_rows: Vec<Node>,
-    /// The square of the smallest pivot, relative to the size of its row.
+    /// The square of the smallest pivot, relative to the size of its rows to a power of two.
     pub partition_pivot: Node,
     /// Velocities with D v = rows, in symbols for what is kept, for the rows, and for v, whose independent entries count.
     pub dependent: Vec<Node>,

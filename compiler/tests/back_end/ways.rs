@@ -1,4 +1,4 @@
-//! What is written in two ways, of which the compiler takes the one that counts less, is the same both ways, whichever it takes.
+//! What is written in several ways, of which the compiler takes one that counts less, is the same in all of them, whichever it takes.
 
 use crate::compiled;
 use linkwright_compiler::Compiled;
@@ -95,8 +95,8 @@ fn rows_of_joints() {
             let id = compiled.mechanism.joints.iter().position(|joint| joint.name.text == "k");
             let id = JointId(id.expect("it is there"));
             let space = laws.space().expect("a spatial mechanism");
-            let [directions, turning] =
-                [Cosines::Directions, Cosines::Turning].map(|cosines| Inertial::new(space, cosines));
+            let directions = Inertial::new(space);
+            let turning = directions.with(Cosines::Turning);
             let ways = [None, Some(&directions), Some(&turning)];
             let ways = ways.map(|way| joints::rows(&laws, &equations.tree, id, way));
             let part = |row: &JointRow, which: usize| -> Vec<Node> {

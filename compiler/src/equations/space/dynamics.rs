@@ -372,7 +372,7 @@ fn newton_euler<'g>(
     // Moments that the parent's axes see as they are.
     let mut unturned = vec![vector::zero(g); wrenches.len()];
     for (at, link) in kinematics.bare.links.iter().enumerate().skip(1) {
-        let carrying = g.on(link).before(motions[link.parent].omega);
+        let carrying = motions[link.parent].omega;
         if let Some((moment, gyration)) = needed_by_turning(distributions[at], link, &motions[at], carrying) {
             (wrenches[at].moment, unturned[at]) = (moment, gyration);
         }
@@ -425,8 +425,8 @@ pub fn needed<'g>(distribution: On<'g, Distribution>, motion: &LinkMotion<'g>) -
 }
 
 /// The moment of what turns about z and has only Ixx, Izz and h_y, in two parts: of N = (Ixx α_x + Izz ω_y ω_z, (Ixx − Izz) ω_z ω_x, …) + h × a
-/// the part (Izz − Ixx) ω_z (ω_y, −ω_x, 0) is seen by the parent as it is, with its own ω_x and ω_y in the axes before the turn, `carrying`, and what
-/// is left has no y. `None` of others, whose N_y has to be turned in any case.
+/// the part (Izz − Ixx) ω_z (ω_y, −ω_x, 0) is seen by the parent as it is, with ω_x and ω_y of the parent, `carrying`, in the axes before the turn, and
+/// what is left has no y. `None` of others: of most N_y has to be turned in any case, and without Ixx little is turned.
 fn needed_by_turning<'g>(
     distribution: On<'g, Distribution>,
     link: &Link,
@@ -446,7 +446,7 @@ fn needed_by_turning<'g>(
         g.zero(),
         zz * alpha.at(2) - xx * (omega.at(0) * omega.at(1)) - h_y * acceleration.at(0),
     ];
-    let gyration = (zz - xx) * omega.at(2);
+    let (gyration, carrying) = ((zz - xx) * omega.at(2), g.on(link).before(carrying));
     let seen = [gyration * carrying.at(1), -(gyration * carrying.at(0)), g.zero()];
     Some((vector(|k| own[k]), vector(|k| seen[k])))
 }

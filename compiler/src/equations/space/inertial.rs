@@ -8,7 +8,7 @@
 //! The cosine u·w of directions that two links hold needs neither ü nor ẅ: with n = u × w and Ω = ω₁ − ω₂ its rate is Ω·n, and from
 //! ṅ = u (ω₁·w) − w (ω₂·u) − Ω (u·w) follows, at v̇ = 0,
 //!   (u·w)¨ = (α₁ − α₂)·n + 2 (Ω·u)(Ω·w) + (ω₂·w)(Ω·u) − (ω₁·u)(Ω·w) − Ω² (u·w),
-//! where ω₁·u and ω₂·w are components in the links' own axes, and the columns of n on the way to a link are the entries of D.
+//! where ω₁·u and ω₂·w are components in the links' own axes, and the components of n about the axes on the way to a link are the entries of D.
 
 use super::dynamics::{LinkMotion, motions};
 use super::kinematics::{Kinematics, Spot};
@@ -39,9 +39,15 @@ pub struct Inertial<'g> {
 }
 
 impl<'g> Inertial<'g> {
-    pub fn new(kinematics: On<'g, &'g Kinematics>, cosines: Cosines) -> Self {
+    /// With cosines by directions.
+    pub fn new(kinematics: On<'g, &'g Kinematics>) -> Self {
         let motions = motions(kinematics, None, vector::zero(kinematics.g));
-        Inertial { kinematics, motions, cosines }
+        Inertial { kinematics, motions, cosines: Cosines::Directions }
+    }
+
+    /// The same with cosines derived in this way.
+    pub fn with(&self, cosines: Cosines) -> Self {
+        Inertial { motions: self.motions.clone(), cosines, ..*self }
     }
 
     /// A place on a link, as seen from the ground, m: ẋ and ẍ at v̇ = 0 as above, m/s and m/s².
