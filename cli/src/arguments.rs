@@ -92,7 +92,12 @@ pub enum Asked {
 /// Reads the arguments behind the program's name; the error is complete but for a pointer to `--help`.
 pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Asked, String> {
     use lexopt::Arg::{Long, Short, Value};
-    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    let mut arguments: Vec<OsString> = arguments.into_iter().collect();
+    // `help run` is `run --help`.
+    if arguments.first().is_some_and(|word| word == "help") {
+        arguments.remove(0);
+        arguments.push("--help".into());
+    }
     if let Some(study) = study_named(arguments.first()) {
         let parsed = options::parse(study, arguments.into_iter().skip(1))?;
         return Ok(parsed.map_or_else(Asked::Text, |study| Asked::Study(Box::new(study))));

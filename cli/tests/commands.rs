@@ -97,6 +97,12 @@ fn wrong_usage_is_said() {
         assert_eq!((code, out.as_str()), (2, ""), "{arguments:?}: {err}");
         assert!(err.contains(message), "{arguments:?}: {err}");
     }
+    assert_eq!(ran(&["help", "rnu"]).code, 2);
+    for command in [&[][..], &["check"], &["run"]] {
+        let word = [&["help"][..], command].concat();
+        let option = [command, &["--help"][..]].concat();
+        assert_eq!((ran(&word).code, ran(&word).out), (0, ran(&option).out), "{word:?}");
+    }
     let help = ran(&["check", "--help"]);
     assert_eq!((help.code, help.err.as_str()), (0, ""));
     for word in [
