@@ -72,7 +72,7 @@ fn unneeded(program: &Program, instead: &[Option<Sum>]) -> Vec<bool> {
     program.outputs.iter().for_each(|output| need(&mut gone, *output));
     for (index, instruction) in program.instructions.iter().enumerate().rev() {
         if !gone[index] {
-            let own = instead[index].as_ref().map_or(std::slice::from_ref(instruction), Vec::as_slice);
+            let own = instead[index].as_deref().unwrap_or(std::slice::from_ref(instruction));
             own.iter().flat_map(Instruction::operands).for_each(|operand| need(&mut gone, operand));
         }
     }
@@ -349,7 +349,7 @@ fn replace(selected: &mut Selected, gone: &[bool], instead: &[Option<Sum>]) {
     let mut made = Made::default();
     let mut of = Vec::with_capacity(gone.len());
     for (index, instruction) in program.instructions.iter().enumerate().filter(|(index, _)| !gone[*index]) {
-        let own = instead[index].as_ref().map(Vec::as_slice);
+        let own = instead[index].as_deref();
         let mut before = 0;
         for instruction in own.unwrap_or(std::slice::from_ref(instruction)) {
             let moved = |operand: Operand| match operand {
