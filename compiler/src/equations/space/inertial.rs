@@ -56,7 +56,7 @@ impl<'g> Inertial<'g> {
     }
 
     /// u·w of directions that are fixed on the links of two places. With n = u × w the rate is n·(ω₁ − ω₂), so that the entry of D is a·n for a
-    /// velocity about a on the way to the first, and −a·n on that to the second.
+    /// velocity about a on the way to the first, and −a·n on that to the second; without unit, its rate in 1/s, (u·w)¨ at v̇ = 0 in 1/s².
     pub fn cosine(&self, places: [&Spot<'g>; 2], u: On<'g, Vec3>, w: On<'g, Vec3>) -> Moving<'g> {
         match self.cosines {
             Cosines::Directions => self.cosine_of_directions(places.map(|place| place.link), u, w),
