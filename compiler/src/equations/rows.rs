@@ -93,7 +93,7 @@ pub(super) fn rows<'g>(
     mut computed: Option<Computed>,
 ) -> Vec<Row> {
     let mechanism = laws.mechanism;
-    let inertial = computed.as_ref().and(laws.space()).map(Inertial::new);
+    let inertial = computed.as_ref().and_then(|known| Some(Inertial::new(laws.space()?, known.clone())));
     let turning = inertial.as_ref().map(|directions| directions.with(Cosines::Turning));
     let mut rows = Vec::new();
     for (index, joint) in mechanism.joints.iter().enumerate().filter(|(index, _)| !carrying[*index]) {

@@ -63,7 +63,7 @@ impl Further {
                 Some((partition.clone(), candidate, written, own))
             };
             let dampings: &[Option<Damping>] = match is_small(equations) {
-                true => &[Some(Damping::InRows), Some(Damping::ByShift)],
+                true => &[Some(Damping::InRows), Some(Damping::ByShift), Some(Damping::ByShiftOfDependent)],
                 false => &[None],
             };
             let taken = if is_small(equations) { partitions } else { &partitions[..1] };

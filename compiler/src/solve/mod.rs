@@ -370,7 +370,7 @@ fn eliminate(equations: &Equations, system: &System, order: Order, damping: Opti
     let plain: Vec<Node> = equations.rows.iter().map(|row| row.jet.bias).collect();
     let mass = Symmetric::new(g, *velocities, &equations.mass);
     let asked = match damping {
-        Some(damping) => stabilised(equations, damping),
+        Some(damping) => stabilised(equations, damping, &[]),
         None => stabilised_by_estimate(equations, 2 * velocities + mass.entries()),
     };
     let linear = |forces: Vec<Scalar<'_>>, minus_gamma: &[Node], shift: &[Scalar<'_>]| {

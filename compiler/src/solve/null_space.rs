@@ -115,7 +115,7 @@ pub fn null_space(
     };
     let plain = solution(&g.all(&equations.gamma), &none);
     let Asked { rows, shift } = match damping {
-        Some(damping) => stabilised(equations, damping),
+        Some(damping) => stabilised(equations, damping, &lu.is_dependent),
         None => {
             let of_independent = independent.iter().map(|velocity| mass.rows[*velocity].len() + 1);
             stabilised_by_estimate(equations, velocities + of_independent.sum::<usize>())

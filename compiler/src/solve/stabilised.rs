@@ -10,9 +10,10 @@
 //! M w + Dᵀ λ = Q + 2α M v,    D w = γ + 2α ν − β² Φ,
 //! ```
 //!
-//! so that a product for each velocity and M v take the place of D v.
+//! so that a product for each velocity and M v take the place of D v. With w = v̇ + 2α v of dependent velocities alone the others stay in the rows,
+//! 2α D_i v_i, and M takes the dependent ones.
 
-use crate::equations::{Equations, Jet, Row, Symbols};
+use crate::equations::{Equations, Jet, Row};
 use crate::symbolic::{Class, Computed, Graph, Node, Op, Sheet};
 
 /// What rows ask of accelerations with Baumgarte's terms, α and β in 1/s. Source: Baumgarte, *Stabilization of constraints and integrals of
@@ -29,36 +30,54 @@ pub struct Asked {
 pub enum Damping {
     InRows,
     ByShift,
+    /// By a shift of the dependent velocities, of others in the rows.
+    ByShiftOfDependent,
 }
 
 /// Each row is a sum of its parts or has their common factors taken out, whichever takes fewer operations beside M, D and Q.
-pub fn stabilised(equations: &Equations, damping: Damping) -> Asked {
-    asked(equations, damping, known(equations))
+/// `is_dependent`: which velocities are, where there are such.
+pub fn stabilised(equations: &Equations, damping: Damping, is_dependent: &[bool]) -> Asked {
+    asked(equations, damping, is_dependent, known(equations))
 }
 
-/// The same as promises fewer operations, where writing all out to be counted takes too long. `beyond`: what a shift takes besides.
+/// The same as promises fewer operations, in the rows or by a shift of all, where writing all out to be counted takes too long. `beyond`: what a shift
+/// takes besides.
 pub fn stabilised_by_estimate(equations: &Equations, beyond: usize) -> Asked {
     let known = known(equations);
-    let ways = [Damping::InRows, Damping::ByShift].map(|damping| asked(equations, damping, known.clone()));
+    let ways =
+        [Damping::InRows, Damping::ByShift].map(|damping| asked(equations, damping, &[], known.clone()));
     let graph = equations.graph.read();
     let [in_rows, by_shift] = ways.each_ref().map(|asked| known.clone().cost(&graph, &asked.rows));
     let [first, second] = ways;
     if by_shift + beyond < in_rows { second } else { first }
 }
 
-fn asked(equations: &Equations, damping: Damping, known: Computed) -> Asked {
+fn asked(equations: &Equations, damping: Damping, is_dependent: &[bool], known: Computed) -> Asked {
     let Equations { graph, symbols, rows, zero, .. } = equations;
     let g = graph.sheet();
-    match damping {
-        Damping::InRows => Asked {
-            rows: sums(g, rows, known, symbols, |jet| jet.rate(g, &symbols.v).bare),
-            shift: vec![*zero; symbols.v.len()],
-        },
-        Damping::ByShift => Asked {
-            rows: sums(g, rows, known, symbols, |jet| jet.drift),
-            shift: symbols.v.iter().map(|v| (g.on(symbols.two_alpha) * *v).bare).collect(),
-        },
-    }
+    let is_shifted = |velocity: usize| match damping {
+        Damping::InRows => false,
+        Damping::ByShift => true,
+        Damping::ByShiftOfDependent => is_dependent[velocity],
+    };
+    let shift = |(velocity, v): (usize, &Node)| match is_shifted(velocity) {
+        true => (g.on(symbols.two_alpha) * *v).bare,
+        false => *zero,
+    };
+    // What the rows have of 2α (D v − ν), divided by a factor.
+    let two_alpha = g.on(symbols.two_alpha);
+    let (factor, in_rows): (Node, &dyn Fn(&Jet) -> Node) = match damping {
+        Damping::InRows => (two_alpha.bare, &|jet| jet.rate(g, &symbols.v).bare),
+        Damping::ByShift => (two_alpha.bare, &|jet| jet.drift),
+        // 2α v in place of v is a product for all rows.
+        Damping::ByShiftOfDependent => (g.one().bare, &|jet| {
+            let own = jet.columns.iter().filter(|(velocity, _)| !is_shifted(**velocity));
+            let own = own.map(|(velocity, entry)| g.on(*entry) * (two_alpha * symbols.v[*velocity]));
+            (g.sum(own) + two_alpha * jet.drift).bare
+        }),
+    };
+    let rows = sums(g, rows, known, [factor, symbols.beta_squared], in_rows);
+    Asked { rows, shift: symbols.v.iter().enumerate().map(shift).collect() }
 }
 
 /// M, D and Q.
@@ -76,10 +95,9 @@ fn sums(
     g: Sheet,
     rows: &[Row],
     mut known: Computed,
-    symbols: &Symbols,
+    factors: [Node; 2],
     rate: impl Fn(&Jet) -> Node,
 ) -> Vec<Node> {
-    let factors = [symbols.two_alpha, symbols.beta_squared];
     let mut all = Vec::with_capacity(rows.len());
     for rows in rows.chunk_by(|a, b| a.origin == b.origin) {
         let of = |row: &Row| [row.jet.bias, rate(&row.jet), row.jet.value];

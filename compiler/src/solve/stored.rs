@@ -92,7 +92,7 @@ pub fn store(equations: &Equations, massless: &Massless, row_scales: &[Node]) ->
     let stand_ins = symbols(g, "kept", kept.len());
     let replaced = kept.iter().copied().zip(stand_ins.iter().copied()).collect();
     let solution = g.graph().substitute(&solution, &replaced);
-    let asked = stabilised(equations, Damping::InRows).rows;
+    let asked = stabilised(equations, Damping::InRows, &[]).rows;
     let stabilised = asked.into_iter().map(|row| (-g.on(row)).bare).collect();
     let velocity_pivot = factor.velocity_pivot;
     let pivot = not_nan(g.on(factor.pivot)).bare;

@@ -33,24 +33,59 @@ impl Computed {
         found
     }
 
-    /// Operations that these take beyond it; a product that is needed once, by a sum, is one with that.
+    /// Operations that these take beyond it: of sums of sums all terms in one, so that each product in them that is needed once is one operation with
+    /// its sum.
     pub fn cost(&mut self, graph: &Graph, nodes: &[Node]) -> usize {
         let beyond: Vec<Node> = self.beyond(graph, nodes);
-        let own: Vec<Node> =
-            beyond.into_iter().filter(|node| graph.class(*node) > Class::Parameter).collect();
-        let mut uses = BTreeMap::<Node, usize>::new();
-        let operands = own.iter().flat_map(|node| graph.op(*node).operands());
-        operands.chain(nodes.iter().copied()).for_each(|node| *uses.entry(node).or_default() += 1);
-        let is_absorbed = |node: Node| {
-            matches!(graph.op(node), Op::Mul(..)) && uses.get(&node) == Some(&1) && !self.has(node)
+        let moves = |node: &Node| graph.class(*node) > Class::Parameter;
+        let own: Vec<Node> = beyond.into_iter().filter(moves).collect();
+        let mut uses = BTreeMap::<Node, Uses>::new();
+        nodes.iter().for_each(|node| uses.entry(*node).or_default().all += 1);
+        for node in &own {
+            let adds = is_sum(graph, *node);
+            for operand in graph.op(*node).operands() {
+                let known = uses.entry(operand).or_default();
+                known.all += 1;
+                known.in_sums += usize::from(adds);
+            }
+        }
+        let is_part = |node: Node| {
+            let is_part = uses.get(&node).is_some_and(|known| known.all == 1 && known.in_sums == 1);
+            is_part && moves(&node) && !self.has(node)
         };
         let operations = own.iter().map(|node| match graph.op(*node) {
             Op::Constant(_) | Op::Symbol(_) => 0,
-            Op::Add(a, b) | Op::Sub(a, b) => usize::from(!(is_absorbed(a) || is_absorbed(b))),
+            // Counted with the sum.
+            Op::Add(..) | Op::Sub(..) | Op::Neg(_) | Op::Mul(..) if is_part(*node) => 0,
+            Op::Add(..) | Op::Sub(..) | Op::Neg(_) => {
+                let (mut products, mut others) = (0, 0);
+                let mut pending: Vec<Node> = graph.op(*node).operands().collect();
+                while let Some(term) = pending.pop() {
+                    match graph.op(term) {
+                        Op::Mul(..) if is_part(term) => products += 1,
+                        Op::Add(..) | Op::Sub(..) | Op::Neg(_) if is_part(term) => {
+                            pending.extend(graph.op(term).operands());
+                        }
+                        _ => others += 1,
+                    }
+                }
+                if others == 0 { products } else { (products + others - 1).max(1) }
+            }
             _ => 1,
         });
         operations.sum()
     }
+}
+
+/// How many need a node, and how many of these are sums.
+#[derive(Default)]
+struct Uses {
+    all: usize,
+    in_sums: usize,
+}
+
+fn is_sum(graph: &Graph, node: Node) -> bool {
+    matches!(graph.op(node), Op::Add(..) | Op::Sub(..) | Op::Neg(_))
 }
 
 #[cfg(test)]

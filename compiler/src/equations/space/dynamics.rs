@@ -17,7 +17,7 @@ use super::shapes::Shapes;
 use super::tensor::{Distribution, Symmetric};
 use super::vector::{self, Mat3, Vec3, vector};
 use crate::equations::{Dynamics, Laws};
-use crate::symbolic::{Node, On, Scalar, Sheet};
+use crate::symbolic::{Computed, Node, On, Scalar, Sheet};
 use std::collections::BTreeMap;
 
 /// M, gyroscopic and gravity forces, energies.
@@ -34,9 +34,15 @@ pub fn dynamics<'g>(laws: &Laws<'g>) -> Dynamics<'g> {
     let composite = composite(kinematics, &regrouped);
     let mass = mass_matrix(kinematics, &composite, &beams);
     let upwards = -gravity;
-    let bias = newton_euler(kinematics, &regrouped, &beams, None, upwards);
-    let mut forces: Vec<Scalar> = bias.iter().map(|force| -*force).collect();
-    let mut inverse = newton_euler(kinematics, &regrouped, &beams, Some(&laws.symbols.acceleration), upwards);
+    let mut computed = Computed::default();
+    computed.add(&g.graph(), &mass.values().map(|entry| entry.bare).collect::<Vec<_>>());
+    let needed = |accelerations: Option<&[Node]>, computed: Computed| {
+        cheap(kinematics, computed, |known| {
+            newton_euler(kinematics, &regrouped, &beams, accelerations, upwards, known)
+        })
+    };
+    let mut forces: Vec<Scalar> = needed(None, computed).iter().map(|force| -*force).collect();
+    let mut inverse = needed(Some(&laws.symbols.acceleration), Computed::default());
     for (velocity, force) in flexible::elastic_forces(laws, kinematics) {
         forces[velocity] += force;
         inverse[velocity] -= force;
@@ -187,10 +193,15 @@ pub struct Wrench<'g> {
 
 impl<'g> Wrench<'g> {
     fn in_parent(self, link: On<'g, &Link>) -> Wrench<'g> {
-        let (moment, force) = (link.turn(self.moment), link.turn(self.force));
+        Wrench { moment: link.turn(self.moment), force: link.turn(self.force) }.from_before(link)
+    }
+
+    /// From the axes before the motion of the link.
+    fn from_before(self, link: On<'g, &Link>) -> Wrench<'g> {
+        let Wrench { moment, force } = self;
         let moment = moment + link.slide().cross(force);
         let (moment, force) = (link.bare.axes * moment, link.bare.axes * force);
-        Wrench { moment: moment + self.force.g.on(link.bare.at).cross(force), force }
+        Wrench { moment: moment + force.g.on(link.bare.at).cross(force), force }
     }
 
     /// Power on each velocity of the link: its index, and Sᵀ of the wrench.
@@ -278,6 +289,8 @@ pub struct LinkMotion<'g> {
     pub acceleration: On<'g, Vec3>,
     /// α̃ + ω̃ ω̃.
     pub spin: On<'g, Mat3>,
+    /// The same in the axes before the link's motion, of what turns about z.
+    pub before: Option<On<'g, Mat3>>,
 }
 
 impl<'g> LinkMotion<'g> {
@@ -287,7 +300,7 @@ impl<'g> LinkMotion<'g> {
         velocity: On<'g, Vec3>,
         acceleration: On<'g, Vec3>,
     ) -> Self {
-        LinkMotion { omega, alpha, velocity, acceleration, spin: spin(omega, alpha) }
+        LinkMotion { omega, alpha, velocity, acceleration, spin: spin(omega, alpha), before: None }
     }
 }
 
@@ -300,8 +313,14 @@ pub fn motions<'g>(
     let g = kinematics.g;
     let zero = vector::zero(g);
     let spin = g.on([zero.bare; 3]);
-    let mut motions =
-        vec![LinkMotion { omega: zero, alpha: zero, velocity: zero, acceleration: ground, spin }];
+    let mut motions = vec![LinkMotion {
+        omega: zero,
+        alpha: zero,
+        velocity: zero,
+        acceleration: ground,
+        spin,
+        before: None,
+    }];
     for link in kinematics.bare.links.iter().skip(1) {
         let motion = moved(g.on(link), &motions[link.parent], &kinematics.bare.velocities, accelerations);
         motions.push(motion);
@@ -336,7 +355,42 @@ fn moved<'g>(
             acceleration += forced;
         }
     }
-    LinkMotion::new(omega, alpha, velocity, acceleration)
+    let mut motion = LinkMotion::new(omega, alpha, velocity, acceleration);
+    if let Motion::Turn { .. } = link.bare.motion {
+        // What turns about an axis is seen alike from before and behind it.
+        let carrying = link.before(parent.omega);
+        let mut alpha = link.before(parent.alpha) + carrying.cross(relative);
+        if let Some(a) = accelerations {
+            alpha += link.omega(a);
+        }
+        motion.before = Some(spin(carrying + relative, alpha));
+    }
+    motion
+}
+
+/// R (a + U s), of s on the link and of a that it carries, in the axes before its motion; with what is `computed` anyway each component as this or as
+/// R a + U′ R s, with U′ in those axes, whichever takes fewer operations beside that and R s: U′ has the zeros that ω of the parent has.
+pub fn turned<'g>(
+    link: On<'g, &Link>,
+    motion: &LinkMotion<'g>,
+    carried: On<'g, Vec3>,
+    held: On<'g, Vec3>,
+    computed: Option<&mut Computed>,
+) -> On<'g, Vec3> {
+    let behind = link.turn(carried + motion.spin * held);
+    let (Some(spin), Some(computed)) = (motion.before, computed) else { return behind };
+    let turned = link.turn(held);
+    let before = link.turn(carried) + spin * turned;
+    let mut cheap = |parts: &[usize]| {
+        let [first, second] = [behind, before].map(|sum| {
+            let parts = parts.iter().map(|k| sum.bare[*k]).chain(turned.bare);
+            computed.cost(&link.g.graph(), &parts.collect::<Vec<_>>())
+        });
+        if second < first { before } else { behind }
+    };
+    // What lies across the axis is turned together.
+    let (across, along) = (cheap(&[0, 1]), cheap(&[2]));
+    vector(|k| if k == 2 { along.at(k) } else { across.at(k) })
 }
 
 /// U = α̃ + ω̃ ω̃.
@@ -353,13 +407,29 @@ fn spin<'g>(omega: On<'g, Vec3>, alpha: On<'g, Vec3>) -> On<'g, Mat3> {
     omega.g.on(matrix)
 }
 
-/// Forces that the motions need, per velocity, with the accelerations given or zero, the ground's being `ground`.
+/// Forces in one of two ways, by what is computed or not, whichever takes fewer operations beside that.
+fn cheap<'g>(
+    kinematics: On<'g, &Kinematics>,
+    mut computed: Computed,
+    needed: impl Fn(Option<Computed>) -> Vec<Scalar<'g>>,
+) -> Vec<Scalar<'g>> {
+    let [behind, before] = [None, Some(computed.clone())].map(needed);
+    let [first, second] = [&behind, &before].map(|forces| {
+        let forces: Vec<Node> = forces.iter().map(|force| force.bare).collect();
+        computed.cost(&kinematics.g.graph(), &forces)
+    });
+    if second < first { before } else { behind }
+}
+
+/// Forces that the motions need, per velocity, with the accelerations given or zero, the ground's being `ground`. `computed`: beside what
+/// forces of links are turned cheaply, where that is said.
 fn newton_euler<'g>(
     kinematics: On<'g, &Kinematics>,
     distributions: &[On<'g, Distribution>],
     beams: &[Spread<'g>],
     accelerations: Option<&[Node]>,
     ground: On<'g, Vec3>,
+    mut computed: Option<Computed>,
 ) -> Vec<Scalar<'g>> {
     let g = kinematics.g;
     let motions = &motions(kinematics, accelerations, ground);
@@ -369,6 +439,12 @@ fn newton_euler<'g>(
         .zip(motions)
         .map(|(distribution, motion)| needed(*distribution, motion))
         .collect();
+    // What of U h is computed as it is turned; the axis of a turn needs no force.
+    let mut held = vec![vector::zero(g); wrenches.len()];
+    for (at, motion) in motions.iter().enumerate().filter(|(_, motion)| motion.before.is_some()) {
+        held[at] = distributions[at].first();
+        wrenches[at].force = distributions[at].mass() * motion.acceleration;
+    }
     // Moments that the parent's axes see as they are.
     let mut unturned = vec![vector::zero(g); wrenches.len()];
     for (at, link) in kinematics.bare.links.iter().enumerate().skip(1) {
@@ -391,7 +467,9 @@ fn newton_euler<'g>(
         for (velocity, force) in wrench.projections(g.on(link)) {
             forces[velocity] += force;
         }
-        let carried = wrench.in_parent(g.on(link));
+        let moment = g.on(link).turn(wrench.moment);
+        let force = turned(g.on(link), &motions[at], wrench.force, held[at], computed.as_mut());
+        let carried = Wrench { moment, force }.from_before(g.on(link));
         let parent = &mut wrenches[link.parent];
         parent.moment += carried.moment + link.axes * unturned[at];
         parent.force += carried.force;

@@ -2,7 +2,7 @@
 //!
 //! Along w = at + axes (slide + R u), with ẋ, ẍ as the ground sees them, in the axes of each link, at v̇ = 0:
 //!   ẇ = ω × s + ṡ + axes R u̇,   ẅ = U s + 2 ω × ṡ + s̈ + axes R ü,
-//! where s = at + axes slide is what the parent holds, and ṡ, s̈ how that moves in it; nothing is turned but the sums.
+//! where s = at + axes slide is what the parent holds, and ṡ, s̈ how that moves in it; nothing is turned but the sums, or s first (`dynamics::turned`).
 //! (Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 5; Luh, Walker, Paul 1980.)
 //!
 //! The cosine u·w of directions that two links hold needs neither ü nor ẅ: with n = u × w and Ω = ω₁ − ω₂ its rate is Ω·n, and from
@@ -10,13 +10,14 @@
 //!   (u·w)¨ = (α₁ − α₂)·n + 2 (Ω·u)(Ω·w) + (ω₂·w)(Ω·u) − (ω₁·u)(Ω·w) − Ω² (u·w),
 //! where ω₁·u and ω₂·w are components in the links' own axes, and the components of n about the axes on the way to a link are the entries of D.
 
-use super::dynamics::{LinkMotion, motions};
+use super::dynamics::{self, LinkMotion};
 use super::kinematics::{Kinematics, Spot};
 use super::links::{GROUND, LinkId, Motion};
 use super::vector::{self, Vec3};
 use super::vector_jet::{Kind, VectorJet};
 use crate::equations::jet::{Jet, Moving};
-use crate::symbolic::{On, Scalar};
+use crate::symbolic::{Computed, On, Scalar};
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 /// The entries of a row of D.
@@ -35,19 +36,22 @@ pub enum Cosines {
 pub struct Inertial<'g> {
     kinematics: On<'g, &'g Kinematics>,
     motions: Vec<LinkMotion<'g>>,
+    /// What is computed anyway.
+    computed: RefCell<Computed>,
     cosines: Cosines,
 }
 
 impl<'g> Inertial<'g> {
-    /// With cosines by directions.
-    pub fn new(kinematics: On<'g, &'g Kinematics>) -> Self {
-        let motions = motions(kinematics, None, vector::zero(kinematics.g));
-        Inertial { kinematics, motions, cosines: Cosines::Directions }
+    /// With cosines by directions; accelerations of places in a way that takes few operations beside what is computed anyway.
+    pub fn new(kinematics: On<'g, &'g Kinematics>, computed: Computed) -> Self {
+        let motions = dynamics::motions(kinematics, None, vector::zero(kinematics.g));
+        Inertial { kinematics, motions, computed: RefCell::new(computed), cosines: Cosines::Directions }
     }
 
     /// The same with cosines derived in this way.
     pub fn with(&self, cosines: Cosines) -> Self {
-        Inertial { motions: self.motions.clone(), cosines, ..*self }
+        let computed = self.computed.clone();
+        Inertial { motions: self.motions.clone(), computed, cosines, ..*self }
     }
 
     /// A place on a link, as seen from the ground, m: ẋ and ẍ at v̇ = 0 as above, m/s and m/s².
@@ -179,37 +183,46 @@ impl<'g> Inertial<'g> {
     fn seen(&self, jet: VectorJet, from: LinkId, to: LinkId, kind: Kind) -> Moving<'g, VectorJet> {
         let kinematics = self.kinematics;
         let (g, v) = (kinematics.g, &kinematics.bare.velocities);
-        let [value, rate, bias] = [jet.value, jet.rate, jet.bias].map(|part| g.on(part));
+        let mut held = [jet.value, jet.rate, jet.bias].map(|part| g.on(part));
         let mut seen = kinematics.carry(jet, from, to, kind);
-        let (mut rate, mut bias) = self.swept(from, value, rate, bias);
+        let mut moved = [vector::zero(g); 2];
         for at in kinematics.bare.ancestors(from).into_iter().take_while(|at| *at != to) {
             let link = g.on(&kinematics.bare.links[at]);
-            (rate, bias) = (link.up(rate), link.up(bias));
+            moved = self.turned(at, held, moved).map(|part| link.bare.axes * part);
+            held = [vector::zero(g); 3];
             if kind == Kind::Point {
                 let slides = link.sliding_by(v).unwrap_or_else(|| vector::zero(g));
                 let own_rate = g.on(link.bare.at_drift) + link.bare.axes * slides;
                 let own_bias = g.on(link.bare.at_bias) + link.bare.axes * link.sliding_bias();
-                let own = self.swept(link.bare.parent, link.offset(), own_rate, own_bias);
-                (rate, bias) = (rate + own.0, bias + own.1);
+                held = [link.offset(), own_rate, own_bias];
             }
         }
+        let own = self.swept(to, held);
+        let [rate, bias] = [moved[0] + own[0], moved[1] + own[1]];
         (seen.jet.rate, seen.jet.bias) = (rate.bare, bias.bare);
         seen
     }
 
+    /// ẋ and ẍ of what a link holds, with its own ṡ and s̈, and of what it carries, in the axes before its motion.
+    fn turned(&self, at: LinkId, held: [On<'g, Vec3>; 3], carried: [On<'g, Vec3>; 2]) -> [On<'g, Vec3>; 2] {
+        let link = self.kinematics.g.on(&self.kinematics.bare.links[at]);
+        let own = self.swept(at, held);
+        let [rate, bias] = [0, 1].map(|k| link.turn(carried[k] + own[k]));
+        let [held, own_rate, own_bias] = held;
+        if !(own_rate.is_zero() && own_bias.is_zero()) {
+            return [rate, bias];
+        }
+        let computed = &mut self.computed.borrow_mut();
+        [rate, dynamics::turned(link, &self.motions[at], carried[1], held, Some(computed))]
+    }
+
     /// ω × s + ṡ and U s + 2 ω × ṡ + s̈ of a vector in the axes of a link.
-    fn swept(
-        &self,
-        link: LinkId,
-        value: On<'g, Vec3>,
-        rate: On<'g, Vec3>,
-        bias: On<'g, Vec3>,
-    ) -> (On<'g, Vec3>, On<'g, Vec3>) {
+    fn swept(&self, link: LinkId, [value, rate, bias]: [On<'g, Vec3>; 3]) -> [On<'g, Vec3>; 2] {
         if link == GROUND {
-            return (rate, bias);
+            return [rate, bias];
         }
         let LinkMotion { omega, spin, .. } = &self.motions[link];
         let turned = *spin * value + 2.0 * omega.cross(rate);
-        (omega.cross(value) + rate, turned + bias)
+        [omega.cross(value) + rate, turned + bias]
     }
 }
