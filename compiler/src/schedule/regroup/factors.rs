@@ -86,7 +86,7 @@ impl Sums<'_> {
         let (terms, inner) = self.terms(sum);
         let present = operations(&terms);
         let scaled: Option<Vec<Term>> = terms.into_iter().map(|term| self.scaled(k, term)).collect();
-        let scaled = scaled.filter(|scaled| operations(scaled) <= present)?;
+        let scaled = scaled.filter(|scaled| !scaled.is_empty() && operations(scaled) <= present)?;
         Some((self.term(Of::ProductOfSum(x, in_order(scaled)), term.minus), inner + 2))
     }
 
@@ -122,7 +122,7 @@ impl Sums<'_> {
             terms.extend(own.into_iter().map(|term| Term { minus: term.minus != minus, ..term }));
         }
         let terms = in_order(constants_added(terms));
-        let spares = 1 + operations(&terms) < present;
+        let spares = !terms.is_empty() && 1 + operations(&terms) < present;
         spares.then(|| (self.term(Of::ProductOfSum(factor, terms), one.minus), inner))
     }
 
