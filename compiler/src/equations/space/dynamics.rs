@@ -433,6 +433,10 @@ fn newton_euler<'g>(
 ) -> Vec<Scalar<'g>> {
     let g = kinematics.g;
     let motions = &motions(kinematics, accelerations, ground);
+    if let Some(computed) = &mut computed {
+        let parts = motions.iter().flat_map(|motion| [motion.omega, motion.acceleration]);
+        computed.add(&g.graph(), &parts.flat_map(|part| part.bare).collect::<Vec<_>>());
+    }
     let mut forces = vec![g.zero(); kinematics.bare.velocities.len()];
     let mut wrenches: Vec<Wrench> = distributions
         .iter()
@@ -469,6 +473,9 @@ fn newton_euler<'g>(
         }
         let moment = g.on(link).turn(wrench.moment);
         let force = turned(g.on(link), &motions[at], wrench.force, held[at], computed.as_mut());
+        if let Some(computed) = &mut computed {
+            computed.add(&g.graph(), &force.bare);
+        }
         let carried = Wrench { moment, force }.from_before(g.on(link));
         let parent = &mut wrenches[link.parent];
         parent.moment += carried.moment + link.axes * unturned[at];
