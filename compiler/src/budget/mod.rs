@@ -12,7 +12,7 @@ use crate::complete::Complete;
 use crate::diagnostics::Diagnostics;
 use crate::functions::{Function, outputs};
 use crate::model::{Budgeted, Coordinates, Mechanism};
-use crate::schedule::{Program, count, live_values, nodes_of};
+use crate::schedule::{self, Program, count, live_values, nodes_of};
 use crate::solve;
 use expenses::expenses;
 use messages::Remedy;
@@ -129,14 +129,16 @@ fn in_independent_velocities(compiled: &Compiled, function: Function) -> Option<
     if !closed {
         return None;
     }
-    // On a graph of its own: nothing of it is left behind.
-    let mut complete = compiled.complete.clone();
     let massless = !solved.massless.rows.is_empty();
     // What takes more helps nobody.
     let most = solved.counts.total();
-    let written =
-        solve::null_space(&complete.equations, &complete.further.partition, massless, None, None, most)?;
-    complete.further.null_space = Some(written);
+    let partitions = std::slice::from_ref(&further.partition);
+    let count = &schedule::count_outputs;
+    let cheapest = solve::cheapest(equations, partitions, massless, None, most, count)?;
+    // On a graph of its own: nothing of it is left behind.
+    let mut complete = compiled.complete.clone();
+    complete.equations = cheapest.equations;
+    complete.further.null_space = Some(cheapest.written);
     complete.further.leads = true;
     let function = independent[place];
     Some((function, nodes_of(&complete.equations, &outputs(&complete, function)).len()))

@@ -30,6 +30,40 @@ const LESS: (usize, usize) = (19, 20);
 /// Independent velocities that take at least so many times the operations of multipliers are not written out to be counted.
 const HOPELESS: usize = 2;
 
+/// The equations in independent velocities in one way, on a graph of their own.
+pub struct Independent {
+    pub partition: Partition,
+    pub equations: Equations,
+    pub written: NullSpace,
+    /// Operations with Baumgarte's terms.
+    pub counts: Counts,
+}
+
+/// Those of the partitions, with Baumgarte's first term in each way, that take fewest operations, by `count`; of large mechanisms the first, in one way. `rows`:
+/// symbols for right-hand sides of rows, if there are some. `most`: what takes more is not written.
+pub fn cheapest(
+    equations: &Equations,
+    partitions: &[Partition],
+    massless: bool,
+    rows: Option<&[Node]>,
+    most: usize,
+    count: &dyn Fn(&Equations, &[Node]) -> Counts,
+) -> Option<Independent> {
+    let in_one_way = |partition: &Partition, damping: Option<Damping>| {
+        let candidate = equations.clone();
+        let written = null_space(&candidate, partition, massless, rows, damping, most)?;
+        let counts = count(&candidate, &written.stabilised.nodes());
+        Some(Independent { partition: partition.clone(), equations: candidate, written, counts })
+    };
+    if !is_small(equations) {
+        return in_one_way(&partitions[0], None);
+    }
+    let dampings = [Damping::InRows, Damping::ByShift, Damping::ByShiftOfDependent];
+    let ways = partitions.iter().flat_map(|partition| dampings.map(|damping| (partition, Some(damping))));
+    ways.filter_map(|(partition, damping)| in_one_way(partition, damping))
+        .min_by_key(|way| way.counts.score())
+}
+
 impl Further {
     /// `partitions`: ways to eliminate the dependent velocities, of which small mechanisms take the cheapest and others the first. `count`: what a
     /// function with these outputs takes. What is not taken leaves nothing behind in the equations.
@@ -55,21 +89,8 @@ impl Further {
         if may_lead || emit.null_space {
             let is_asked = emit.null_space || options.solution == SolvedBy::Independent;
             let most = if is_asked { usize::MAX } else { HOPELESS * solved.counts.total() };
-            // Each on a graph of its own.
-            let written = |(partition, damping): (&Partition, Option<Damping>)| {
-                let candidate = equations.clone();
-                let written = null_space(&candidate, partition, massless, rows, damping, most)?;
-                let own = count(&candidate, &written.stabilised.nodes());
-                Some((partition.clone(), candidate, written, own))
-            };
-            let dampings: &[Option<Damping>] = match is_small(equations) {
-                true => &[Some(Damping::InRows), Some(Damping::ByShift), Some(Damping::ByShiftOfDependent)],
-                false => &[None],
-            };
-            let taken = if is_small(equations) { partitions } else { &partitions[..1] };
-            let ways = taken.iter().flat_map(|way| dampings.iter().map(move |damping| (way, *damping)));
-            let best = ways.filter_map(written).min_by_key(|(.., own)| own.score());
-            let Some((partition, candidate, written, own)) = best else {
+            let best = cheapest(equations, partitions, massless, rows, most, count);
+            let Some(Independent { partition, equations: candidate, written, counts: own }) = best else {
                 return Further { stored, ..further };
             };
             further.partition = partition;

@@ -22,7 +22,7 @@ use stabilised::{stabilised, stabilised_by_estimate};
 use std::collections::{BTreeMap, BTreeSet};
 use symmetric::Symmetric;
 
-pub use further::Further;
+pub use further::{Further, cheapest};
 pub use null_space::{NullSpace, null_space};
 pub use partition::{Partition, Pivot};
 pub use stabilised::Damping;
