@@ -124,7 +124,7 @@ impl Gripper<::core::primitive::f64> {
     ///Degrees of freedom, drivers removed.
     pub const DEGREES_OF_FREEDOM: ::core::primitive::usize = 1;
     ///Operations of the default acceleration function (Baumgarte), a fused multiply-add counted once.
-    pub const OPERATIONS: ::core::primitive::usize = 83;
+    pub const OPERATIONS: ::core::primitive::usize = 81;
     ///The definition as written.
     pub const SOURCE: &'static ::core::primitive::str = (
         "# [doc = \" A four-bar that a torsion spring holds, with more inputs than it needs.\"] pub planar Gripper { param stiffness [N * m / rad] = 6 ; param length [m] = 0.9 ; param weight [kg] = 1.2 in 0.1 .. 10 ; input drive [N * m] ; input pull [N] ; gravity [m / s ^ 2] = (0 , - 9.81) ; rod crank { mass [kg] = weight ; length [m] = 0.4 ; } rod coupler { mass [kg] = 0.8 ; length [m] = length ; } rod rocker { mass [kg] = 0.6 ; length [m] = 0.7 ; } joint a : revolute (ground (0 , 0) [m] , crank . start) ; joint b : revolute (crank . end , coupler . start) ; joint c : revolute (coupler . end , rocker . end) ; joint d : revolute (ground (0.8 , 0) [m] , rocker . start) ; torsion_spring coil : torsion_spring (a , stiffness = stiffness , angle = 40 [deg] , damping = 0.2 [N * m * s / rad]) ; torque motor : torque (a) = drive ; force rope : force (coupler . center , direction = (1 , 2)) = pull ; start { a . angle [deg] = 70 ; a . rate [rad / s] = 1 ; d . angle [deg] ~ 80 ; coupler . angle [rad] ~ 0.3 ; } options { emit = (tangent) ; } expect { degrees_of_freedom = 1 ; } output reach [m] = coupler . center . x ; output swing [rad] = d . angle ; output swinging [rad / s] = d . rate ; output stored [J] = potential_energy ; }",
@@ -289,7 +289,7 @@ const _: () = {
         ) {
             let constants = &self.constants;
             // r = M v̇ + Dᵀ λ − Q (N or N m).
-            // 42 operations.
+            // 39 operations.
             let crank_cos = state.q[0];
             let crank_sin = state.q[1];
             let rocker_cos = state.q[2];
@@ -340,24 +340,21 @@ const _: () = {
             let a22 = (-a21).mul_add(a18, a17);
             let a23 = R::from_f64(0.09799999999999998) * rocker_rate_dot;
             let a24 = R::from_f64(2.0601).mul_add(rocker_cos, a23);
-            let a25 = R::from_f64(0.7) * rocker_cos;
-            let a26 = (-a25).mul_add(lambda_c_y, a24);
-            let a27 = R::from_f64(0.7) * rocker_sin;
-            let a28 = a27.mul_add(lambda_c_x, a26);
-            let a29 = k2 * coupler_rate_dot;
-            let a30 = k7.mul_add(coupler_cos, a29);
-            let a31 = length * coupler_cos;
-            let a32 = a31.mul_add(lambda_c_y, a30);
-            let a33 = length * coupler_sin;
-            let a34 = (-a33).mul_add(lambda_c_x, a32);
-            let a35 = k5 * coupler_sin;
-            let a36 = a35.mul_add(a7, a34);
-            let a37 = k5 * coupler_cos;
-            let a38 = (-a37).mul_add(a9, a36);
-            let a39 = crank_rate_dot.mul_add(a16, a38);
-            let a40 = crank_rate * crank_rate;
-            let a41 = a40.mul_add(a21, a39);
-            *out = [a22, a28, a41];
+            let a25 = lambda_c_y * rocker_cos;
+            let a26 = (-lambda_c_x).mul_add(rocker_sin, a25);
+            let a27 = R::from_f64(-0.7).mul_add(a26, a24);
+            let a28 = k2 * coupler_rate_dot;
+            let a29 = k7.mul_add(coupler_cos, a28);
+            let a30 = lambda_c_y * coupler_cos;
+            let a31 = (-lambda_c_x).mul_add(coupler_sin, a30);
+            let a32 = length.mul_add(a31, a29);
+            let a33 = crank_rate_dot.mul_add(a16, a32);
+            let a34 = crank_rate * crank_rate;
+            let a35 = a34.mul_add(a21, a33);
+            let a36 = a7 * coupler_sin;
+            let a37 = a9.mul_add(coupler_cos, -a36);
+            let a38 = (-k5).mul_add(a37, a35);
+            *out = [a22, a27, a38];
         }
         fn tangent(
             &self,
@@ -371,7 +368,7 @@ const _: () = {
         ) {
             let constants = &self.constants;
             // ∂r/∂q along increments of q, and ∂r/∂v: the stored entries.
-            // 43 operations.
+            // 40 operations.
             let crank_cos = state.q[0];
             let crank_sin = state.q[1];
             let rocker_cos = state.q[2];
@@ -411,31 +408,28 @@ const _: () = {
             let a17 = coupler_rate_dot.mul_add(a16, a13);
             let a18 = a17 + a4;
             let a19 = (-coupler_rate_dot).mul_add(a16, -a4);
-            let a20 = R::from_f64(2.0601) * rocker_sin;
-            let a21 = R::from_f64(0.7) * rocker_cos;
-            let a22 = a21.mul_add(lambda_c_x, -a20);
-            let a23 = R::from_f64(0.7) * rocker_sin;
-            let a24 = a23.mul_add(lambda_c_y, a22);
-            let a25 = crank_rate * crank_rate;
-            let a26 = a3 * a25;
-            let a27 = crank_rate_dot.mul_add(a16, -a26);
-            let a28 = (-k7).mul_add(coupler_sin, a26);
-            let a29 = (-crank_rate_dot).mul_add(a16, a28);
-            let a30 = k5 * coupler_cos;
-            let a31 = a30.mul_add(a10, a29);
-            let a32 = k5 * coupler_sin;
-            let a33 = a32.mul_add(a12, a31);
-            let a34 = length * coupler_cos;
-            let a35 = (-a34).mul_add(lambda_c_x, a33);
-            let a36 = length * coupler_sin;
-            let a37 = (-a36).mul_add(lambda_c_y, a35);
-            let a38 = R::from_f64(2.0) * coupler_rate;
+            let a20 = R::from_f64(0.7) * rocker_cos;
+            let a21 = a20 * lambda_c_x;
+            let a22 = R::from_f64(0.7).mul_add(lambda_c_y, R::from_f64(-2.0601));
+            let a23 = rocker_sin.mul_add(a22, a21);
+            let a24 = crank_rate * crank_rate;
+            let a25 = a3 * a24;
+            let a26 = crank_rate_dot.mul_add(a16, -a25);
+            let a27 = (-k7).mul_add(coupler_sin, a25);
+            let a28 = lambda_c_y * coupler_sin;
+            let a29 = lambda_c_x.mul_add(coupler_cos, a28);
+            let a30 = (-length).mul_add(a29, a27);
+            let a31 = (-crank_rate_dot).mul_add(a16, a30);
+            let a32 = a10 * coupler_cos;
+            let a33 = a12.mul_add(coupler_sin, a32);
+            let a34 = k5.mul_add(a33, a31);
+            let a35 = R::from_f64(2.0) * coupler_rate;
+            let a36 = a16 * a35;
+            let a37 = -a36;
+            let a38 = R::from_f64(2.0) * crank_rate;
             let a39 = a16 * a38;
-            let a40 = -a39;
-            let a41 = R::from_f64(2.0) * crank_rate;
-            let a42 = a16 * a41;
-            *stiffness_out = [a18, a19, a24, a27, a37];
-            *damping_out = [R::from_f64(0.2), a40, a42];
+            *stiffness_out = [a18, a19, a23, a26, a34];
+            *damping_out = [R::from_f64(0.2), a37, a39];
         }
     }
 };

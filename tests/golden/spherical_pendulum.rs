@@ -379,18 +379,17 @@ const _: () = {
         }
         fn kinetic_energy(&self, time: R, q: &Q<R>, v: &V<R>) -> R {
             // T(t, q, v) (J).
-            // 7 operations.
+            // 6 operations.
             let pivot_rate_x = v[0];
             let pivot_rate_y = v[1];
             let pivot_rate_z = v[2];
             let a0 = R::from_f64(0.04) * pivot_rate_x;
             let a1 = pivot_rate_x * a0;
-            let a2 = R::from_f64(4.1) * pivot_rate_y;
-            let a3 = pivot_rate_y.mul_add(a2, a1);
-            let a4 = R::from_f64(4.1) * pivot_rate_z;
-            let a5 = pivot_rate_z.mul_add(a4, a3);
-            let a6 = R::from_f64(0.5) * a5;
-            a6
+            let a2 = pivot_rate_z * pivot_rate_z;
+            let a3 = pivot_rate_y.mul_add(pivot_rate_y, a2);
+            let a4 = R::from_f64(4.1).mul_add(a3, a1);
+            let a5 = R::from_f64(0.5) * a4;
+            a5
         }
         #[inline(always)]
         fn acceleration(
