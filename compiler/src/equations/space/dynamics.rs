@@ -193,11 +193,11 @@ pub struct Wrench<'g> {
 
 impl<'g> Wrench<'g> {
     fn in_parent(self, link: On<'g, &Link>) -> Wrench<'g> {
-        Wrench { moment: link.turn(self.moment), force: link.turn(self.force) }.from_before(link)
+        Wrench { moment: link.turn(self.moment), force: link.turn(self.force) }.of_parent(link)
     }
 
     /// From the axes before the motion of the link.
-    fn from_before(self, link: On<'g, &Link>) -> Wrench<'g> {
+    fn of_parent(self, link: On<'g, &Link>) -> Wrench<'g> {
         let Wrench { moment, force } = self;
         let moment = moment + link.slide().cross(force);
         let (moment, force) = (link.bare.axes * moment, link.bare.axes * force);
@@ -476,7 +476,7 @@ fn newton_euler<'g>(
         if let Some(computed) = &mut computed {
             computed.add(&g.graph(), &force.bare);
         }
-        let carried = Wrench { moment, force }.from_before(g.on(link));
+        let carried = Wrench { moment, force }.of_parent(g.on(link));
         let parent = &mut wrenches[link.parent];
         parent.moment += carried.moment + link.axes * unturned[at];
         parent.force += carried.force;
