@@ -35,7 +35,7 @@ pub enum Damping {
 }
 
 /// Each row is a sum of its parts or has their common factors taken out, whichever takes fewer operations beside M, D and Q.
-/// `is_dependent`: which velocities are, where there are such.
+/// `is_dependent`: which velocities are; empty where none is.
 pub fn stabilised(equations: &Equations, damping: Damping, is_dependent: &[bool]) -> Asked {
     asked(equations, damping, is_dependent, known(equations))
 }
@@ -58,7 +58,7 @@ fn asked(equations: &Equations, damping: Damping, is_dependent: &[bool], known: 
     let is_shifted = |velocity: usize| match damping {
         Damping::InRows => false,
         Damping::ByShift => true,
-        Damping::ByShiftOfDependent => is_dependent[velocity],
+        Damping::ByShiftOfDependent => is_dependent.get(velocity) == Some(&true),
     };
     let shift = |(velocity, v): (usize, &Node)| match is_shifted(velocity) {
         true => (g.on(symbols.two_alpha) * *v).bare,

@@ -370,6 +370,7 @@ fn moved<'g>(
 
 /// R (a + U s), of s on the link and of a that it carries, in the axes before its motion; with what is `computed` anyway each component as this or as
 /// R a + U′ R s, with U′ in those axes, whichever takes fewer operations beside that and R s: U′ has the zeros that ω of the parent has.
+/// In m/s² with s in m, in N with h in kg m in its place.
 pub fn turned<'g>(
     link: On<'g, &Link>,
     motion: &LinkMotion<'g>,
@@ -443,7 +444,7 @@ fn newton_euler<'g>(
         .zip(motions)
         .map(|(distribution, motion)| needed(*distribution, motion))
         .collect();
-    // What of U h is computed as it is turned; the axis of a turn needs no force.
+    // U h behind a turn is added as it is turned: no velocity of such a link needs its force.
     let mut held = vec![vector::zero(g); wrenches.len()];
     for (at, motion) in motions.iter().enumerate().filter(|(_, motion)| motion.before.is_some()) {
         held[at] = distributions[at].first();
